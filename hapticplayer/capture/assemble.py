@@ -35,7 +35,12 @@ from hapticplayer.capture.formats import Confidence, Reader, WhyNot, without_rea
 from hapticplayer.capture.mounting import axes_matrix, mounted
 from hapticplayer.capture.recording import Placing, Recording
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.streams import RawLog, Samples, SensorStream, on_common_times
+from hapticplayer.capture.streams import (
+    AlignedSamples,
+    RawLog,
+    SensorStream,
+    on_common_times,
+)
 from hapticplayer.capture.stuck import Repeats, working
 from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
@@ -189,7 +194,7 @@ def as_answered(recording: Recording, choices: LogChoices) -> Recording:
     )
 
 
-def _common(raw: RawLog, where: str) -> tuple[Samples, Repeats]:
+def _common(raw: RawLog, where: str) -> tuple[AlignedSamples, Repeats]:
     if raw.rate is not None and not raw.is_gravity_free:
         streams = working(raw.accel, raw.rate, raw.field, where)
         common = on_common_times(streams.accel, streams.rate, streams.field, where)
@@ -202,7 +207,7 @@ def _common(raw: RawLog, where: str) -> tuple[Samples, Repeats]:
         )
     # gravity-free motion needs no rotation
     stationary = np.zeros_like(raw.accel.values)
-    samples = Samples(raw.accel.time_s, raw.accel.values, stationary, None, ())
+    samples = AlignedSamples(raw.accel.time_s, raw.accel.values, stationary, None, ())
     return samples, Repeats()
 
 
@@ -219,10 +224,10 @@ def _in_its_names(error: InputError, raw: RawLog) -> InputError:
     return InputError(named(error.what), where=error.where, remedy=named(error.remedy))
 
 
-def _beginning(samples: Samples) -> Samples:
+def _beginning(samples: AlignedSamples) -> AlignedSamples:
     """Return a copy of the first rows, so that the others can be freed."""
     time_s, accel, rate = (part[:_TRIED_ROWS].copy() for part in samples[:3])
-    return Samples(time_s, accel, rate, None, ())
+    return AlignedSamples(time_s, accel, rate, None, ())
 
 
 def _without_samples(raw: RawLog) -> RawLog:
@@ -236,7 +241,7 @@ def _without_samples(raw: RawLog) -> RawLog:
     )
 
 
-def _in_si(samples: Samples, raw: RawLog) -> Samples:
+def _in_si(samples: AlignedSamples, raw: RawLog) -> AlignedSamples:
     """Return the samples in SI and frame A; float32, because no sensor has 24 bits."""
     rotated = axes_matrix(raw.axes).T
     accel_factor = factor(raw.accel_unit, ACCEL_UNITS, "accel-unit")
@@ -251,7 +256,7 @@ def _in_si(samples: Samples, raw: RawLog) -> Samples:
         field = samples.field
         if field is not None:
             field = (_finite(field) @ (rotated * field_factor)).astype(np.float32)
-        return Samples(
+        return AlignedSamples(
             samples.time_s,
             accel.astype(np.float32),
             rate.astype(np.float32),
@@ -266,7 +271,7 @@ def _finite(values: Floats) -> Floats:
 
 
 def _cleaned(
-    samples: Samples, raw: RawLog, choices: LogChoices, where: str
+    samples: AlignedSamples, raw: RawLog, choices: LogChoices, where: str
 ) -> tuple[ImuLog, tuple["Repair", ...]]:
     from hapticplayer.motion.repair import repair_samples  # brings scipy along
 
@@ -283,7 +288,11 @@ def _cleaned(
 
 
 def ask_about_units(
-    error: InputError, part: Samples, raw: RawLog, choices: LogChoices, where: str
+    error: InputError,
+    part: AlignedSamples,
+    raw: RawLog,
+    choices: LogChoices,
+    where: str,
 ) -> None:
     """Ask about the units if the log was refused and a part of it would fit others."""
     _ask_about_time(error, part.time_s, choices, where)
@@ -323,7 +332,11 @@ def _ask_about_time(
 
 
 def _other_units(
-    part: Samples, raw: RawLog, choices: LogChoices, where: str, rate_units: list[str]
+    part: AlignedSamples,
+    raw: RawLog,
+    choices: LogChoices,
+    where: str,
+    rate_units: list[str],
 ) -> list[str]:
     """Return units that a part of the log would fit, as choices, the nearest first.
 
@@ -354,7 +367,7 @@ def _unit_words(other: RawLog, raw: RawLog) -> str:
 
 
 def _off_gravity(
-    part: Samples, raw: RawLog, choices: LogChoices, where: str
+    part: AlignedSamples, raw: RawLog, choices: LogChoices, where: str
 ) -> float | None:
     """How far a part of a log in these units is off gravity; None if it cannot be used."""
     from hapticplayer.motion.repair.units import calm_norm

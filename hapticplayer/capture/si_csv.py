@@ -39,7 +39,7 @@ from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.log_checks import check_norm, norm_at_rest
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.streams import RawLog, Samples, on_common_times, split
+from hapticplayer.capture.streams import AlignedSamples, RawLog, on_common_times, split
 from hapticplayer.capture.stuck import working
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import (
@@ -145,7 +145,7 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
     return as_answered(recording, choices)
 
 
-def _in_si(samples: Samples, given: Mapping[str, str]) -> Samples:
+def _in_si(samples: AlignedSamples, given: Mapping[str, str]) -> AlignedSamples:
     scaled = {}
     for answer, unit in given.items():
         name, known = _UNITS[answer]

@@ -1,6 +1,6 @@
 """The streams of a log as stored, and resampled to common times.
 
-Samples are never paired by index: the angular rate becomes its mean over each interval of
+AlignedSamples are never paired by index: the angular rate becomes its mean over each interval of
 the accelerometer (no rotation is lost), the slow magnetic field is interpolated. Missing
 samples remain missing (NaN).
 """
@@ -170,7 +170,7 @@ def counted_on(counts: Floats) -> Floats:
     return counts
 
 
-class Samples(NamedTuple):
+class AlignedSamples(NamedTuple):
     """Rows of all sensors at common times; NaN where something was missing."""
 
     time_s: Floats
@@ -182,14 +182,14 @@ class Samples(NamedTuple):
 
 def on_common_times(
     accel: SensorStream, rate: SensorStream, field: SensorStream | None, where: str
-) -> Samples:
+) -> AlignedSamples:
     """Return all sensors at the times of the accelerometer.
 
     Streams that share their times are unchanged, flaws included.
     """
     if rate.time_s is accel.time_s and (field is None or field.time_s is accel.time_s):
         values = None if field is None else field.values
-        return Samples(accel.time_s, accel.values, rate.values, values, ())
+        return AlignedSamples(accel.time_s, accel.values, rate.values, values, ())
     accel, notes = _ordered(accel, "accelerometer", where)
     rate, rate_notes = _ordered(rate, "gyroscope", where)
     accel, clock_notes = _on_even_clock(accel, "accelerometer", force=accel.values)
@@ -204,7 +204,7 @@ def on_common_times(
     time_s = accel.time_s[rows]
     at_times = None if field is None else interpolated(time_s, field, where)
     notes = (*notes, *rate_notes, *clock_notes, *rate_clock_notes)
-    return Samples(time_s, accel.values[rows], mean, at_times, notes)
+    return AlignedSamples(time_s, accel.values[rows], mean, at_times, notes)
 
 
 def _ordered(

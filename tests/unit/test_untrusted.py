@@ -150,6 +150,7 @@ OWN = {
     ("hapticplayer/study/creation.py", "read_text"): "templates of the program",
     ("hapticplayer/study/analysis/report.py", "read_bytes"): "written just before",
     ("hapticplayer/haptics/scheduling.py", "os.open"): "a device, to hold it",
+    ("hapticplayer/devices/serial_line.py", "os.open"): "a serial port",
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",
     ("app/player/problem_report.py", "ZipFile"): "a new file",
     ("hapticplayer/media/opening.py", "open"): "by its resolved name",
@@ -159,7 +160,6 @@ OWN = {
     ("hapticplayer/study/journal.py", "os.open"): "to append, and to lock",
     ("hapticplayer/extras/wheels/ports.py", "os.open"): "a device",
     ("hapticplayer/extras/wheels/ports.py", "read_text"): "files of the system",
-    ("hapticplayer/extras/toys/tcode.py", "os.open"): "a serial port",
     ("hapticplayer/extras/shakers/coils.py", "read_text"): "files of the system",
 }
 READERS = {"open", "os.open", "io.open", "np.load", "np.loadtxt", "np.fromfile"}

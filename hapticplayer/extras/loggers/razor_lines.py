@@ -19,17 +19,18 @@ from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.live.serial_imus import (
+    RAZOR_COUNTS_PER_DPS,
+    RAZOR_COUNTS_PER_G,
+    RAZOR_FRAME_S,
+    RAZOR_LINE,
+)
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 
-FRAME_S = 0.02
-COUNTS_PER_G = 256.0
-COUNTS_PER_DPS = 14.375
-
-_SENSOR_LINE = re.compile(r"#([AMG])-([RC])=(.*)")
 _ANGLES = re.compile(r"^(#YPR=|!ANG:)")
 _DOLLAR = re.compile(r"^\$(-?\d+(?:,-?\d+){8})#?$")
 _SAMPLE_ROWS = 1000
@@ -49,7 +50,7 @@ def recognises(source: LogSource) -> Confidence:
     marked = [
         line
         for line in lines
-        if _SENSOR_LINE.match(line) or _ANGLES.match(line) or _DOLLAR.match(line)
+        if RAZOR_LINE.match(line) or _ANGLES.match(line) or _DOLLAR.match(line)
     ]
     if len(lines) > 2 and len(marked) > 0.8 * len(lines):
         return Confidence.CERTAIN
@@ -60,7 +61,7 @@ def read(source: LogSource, choices: LogChoices) -> RawLog:
     """Return the log."""
     name = source.names[0]
     lines = [line.strip() for line in source.head(name).splitlines()]
-    if any(_SENSOR_LINE.match(line) for line in lines):
+    if any(RAZOR_LINE.match(line) for line in lines):
         numbers = read_table(source, name, Shape(4, (0, 1, 2, 3), marks=_SENSOR_MARKS))
         return _ahrs(_frames(numbers.values), choices, numbers.notes)
     if any(_DOLLAR.match(line) for line in lines):
@@ -98,7 +99,7 @@ def _frames(rows: Floats) -> Floats:
 
 def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
     chosen_hz = choices.take_rate_hz()
-    rate_hz = chosen_hz or 1.0 / FRAME_S
+    rate_hz = chosen_hz or 1.0 / RAZOR_FRAME_S
     if chosen_hz is None:
         notes += (
             Message("the log has no timestamps: 50 frames per second are assumed"),
@@ -108,8 +109,8 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
         name="Razor-AHRS",
         accel=SensorStream(time_s, -rows[:, 0:3]),
         rate=SensorStream(time_s, rows[:, 6:9]),
-        accel_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
-        rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
+        accel_unit=f"{STANDARD_GRAVITY_MPS2 / RAZOR_COUNTS_PER_G:.10g}",
+        rate_unit=f"{np.radians(1.0 / RAZOR_COUNTS_PER_DPS):.10g}",
         axes="y,x,-z",
         axes_words=Message("the firmware's axes: x forward, y right, z down"),
         notes=notes,
@@ -132,8 +133,8 @@ def _dollar(source: LogSource, name: str, choices: LogChoices) -> RawLog:
         name=Message("Razor, raw output"),
         accel=SensorStream(time_s, values[:, 0:3]),
         rate=SensorStream(time_s, values[:, 3:6]),
-        accel_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
-        rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
+        accel_unit=f"{STANDARD_GRAVITY_MPS2 / RAZOR_COUNTS_PER_G:.10g}",
+        rate_unit=f"{np.radians(1.0 / RAZOR_COUNTS_PER_DPS):.10g}",
         axes_words=Message("the board's axes"),
         notes=numbers.notes,
     )

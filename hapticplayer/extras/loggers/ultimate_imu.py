@@ -13,6 +13,7 @@ from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.csv_table import Shape, first_numbers, read_table
 from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.live.serial_imus import RESCALED_RATE_DPS
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, split
 from hapticplayer.errors import InputError, Message
@@ -20,8 +21,6 @@ from hapticplayer.model.limits import REST_G
 
 _WIDTH = 10
 _EULER_WIDTH = 4
-_DROP_RATE_DPS = 14.375
-"""A skipped gyro read is divided by the scale a second time by the firmware."""
 
 
 def recognises(source: LogSource) -> Confidence:
@@ -93,7 +92,7 @@ def _unscale_skipped(values: np.ndarray) -> int:
     before, after = rate[:-2], rate[2:]
     expected = 0.5 * (before + after)
     is_fast = np.linalg.norm(expected, axis=1) > fast
-    is_scaled = np.abs(inner - before / _DROP_RATE_DPS).max(axis=1) < 0.02
+    is_scaled = np.abs(inner - before / RESCALED_RATE_DPS).max(axis=1) < 0.02
     spikes = np.flatnonzero(is_fast & is_scaled) + 1
     values[spikes, 1:4] = np.nan
     return len(spikes)

@@ -30,6 +30,7 @@ from hapticplayer.devices.paced import (
     Rumble,
     silencer,
 )
+from hapticplayer.devices.serial_line import open_serial
 from hapticplayer.devices.websocket import reported
 from hapticplayer.errors import DeviceError, Message
 from hapticplayer.extras.toys.extension import TCODE
@@ -52,7 +53,7 @@ _GREETING = re.compile(rb"\btcode\b|\brst:|\bboot|\brestart|\breset\b", re.IGNOR
 _LEAST_GREETING = 5
 _FULL, _RAMP_MS = 9999, 20
 _MOST_READ, _LONGEST_LINE = 256, 1024
-_SERIAL_BAUD = "B115200"
+_SERIAL_BAUD = 115_200
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,7 +201,9 @@ def open_board(options: TcodeOptions, clock: Clock | None = None) -> TCodePort:
     """The board, open; raises DeviceError."""
     where = options.address
     try:
-        descriptor = _serial(where) if where.startswith("/") else _udp(where)
+        descriptor = (
+            open_serial(where, _SERIAL_BAUD) if where.startswith("/") else _udp(where)
+        )
     except OSError as problem:
         raise DeviceError(
             "{where} cannot be opened: {reason}; see whether the board is connected and "
@@ -219,24 +222,6 @@ def _udp(where: str) -> int:
     with socket.socket(family, kind, protocol) as end:
         end.connect(address)
         return end.detach()
-
-
-def _serial(where: str) -> int:
-    """Open 115200 8N1, raw; the line keeps its level, which would reset a board."""
-    import termios  # not on Windows
-
-    descriptor = os.open(where, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
-    try:
-        state = termios.tcgetattr(descriptor)
-        baud = getattr(termios, _SERIAL_BAUD)
-        control = termios.CS8 | termios.CREAD | termios.CLOCAL
-        state[:6] = [0, 0, control, 0, baud, baud]
-        state[6][termios.VMIN] = 1  # so that nothing read means unplugged
-        termios.tcsetattr(descriptor, termios.TCSANOW, state)
-    except termios.error as problem:
-        os.close(descriptor)
-        raise OSError(*problem.args) from problem
-    return descriptor
 
 
 def make(_line: int, options: TcodeOptions) -> PacedDriver:

@@ -1,0 +1,1 @@
+"""What a person records here: IMUs and phones as they measure, and their clocks."""

@@ -1,0 +1,289 @@
+"""Live sources: an IMU on a port, a phone in the network, another program.
+
+A person names one as NAME:PLACE[,OPTION=VALUE], such as `wt901:/dev/ttyUSB0,baud=115200`
+or `phyphox:http://192.168.1.20:8080`. A source is a row with a small class; other packages
+and extras add theirs with a function `live_sources()`.
+
+What a source does not declare (unit, sign, axes) is asked once and kept for it.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, Protocol, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer import extension
+from hapticplayer.capture.agreement import own_axes
+from hapticplayer.capture.choices import ACCEL_UNITS, RATE_UNITS, LogChoices, factor
+from hapticplayer.capture.live import source_answers
+from hapticplayer.capture.live.source_answers import Declaration
+from hapticplayer.capture.live.source_clock import (
+    COUNTED_SIGMA,
+    QUARTZ_SIGMA,
+    SourceClock,
+)
+from hapticplayer.capture.mounting import axes_matrix
+from hapticplayer.clock import Clock
+from hapticplayer.devices.options import Fields, Parse, fields_of, one_of
+from hapticplayer.errors import InputError, Message, UsageError, entry_named
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_ACCELERATION_MPS2, MAX_ANGULAR_RATE_RADPS
+
+LIVE_OPTION = "--imu"
+_BACK_S = 0.5
+"""Stamps that go back by less come out of order; by more the clock began anew."""
+
+
+class Samples(NamedTuple):
+    """Samples of one read, oldest first; perhaps none.
+
+    Attributes:
+        arrival_s: (n,) on the machine's monotonic clock: when the last byte came, less the
+            time that the bytes of the sample take on their line.
+        stamp_s: (n,) on the source's own clock, strictly increasing; where it has none, the
+            number of the sample times its nominal period.
+        accel_mps2: (n, 3) specific force in the source's axes.
+        rate_radps: (n, 3) angular rate in the source's axes; NaN where it was not measured.
+    """
+
+    arrival_s: Floats
+    stamp_s: Floats
+    accel_mps2: Floats
+    rate_radps: Floats
+
+    @classmethod
+    def of(cls, rows: Iterable[tuple[float, ...]]) -> "Samples":
+        """Of rows with arrival, stamp, acceleration and rate: 8 numbers each."""
+        table = np.array(list(rows), dtype=np.float64).reshape(-1, 8)
+        return cls(table[:, 0], table[:, 1], table[:, 2:5], table[:, 5:8])
+
+    def where(self, kept: NDArray[Any]) -> "Samples":
+        """Those of a mask or of indices."""
+        return Samples(*(part[kept] for part in self))
+
+    def in_frame_a(self, axes: str) -> "Samples":
+        """In frame A, by the axes that a source declares: right, front and up."""
+        turn = axes_matrix(axes).T
+        return self._replace(
+            accel_mps2=self.accel_mps2 @ turn, rate_radps=self.rate_radps @ turn
+        )
+
+
+class SourceLost(InputError):  # noqa: N818 - what has happened
+    """A source was unplugged, closed, or sends nothing that can be read.
+
+    It may be opened again, with a new clock.
+    """
+
+
+class LiveSource(Protocol):
+    """An open source."""
+
+    def read(self, timeout_s: float) -> Samples:
+        """What has come, after waiting until then for something; raises SourceLost."""
+        ...
+
+    def close(self) -> None:
+        """Let go of it; may be called again."""
+        ...
+
+
+Ask = Callable[[Message], bool]
+"""Whether a person allows something, such as that the network is listened to."""
+
+
+@dataclass(frozen=True, slots=True)
+class SourceOptions:
+    """What a person wrote behind the name of a source.
+
+    Attributes:
+        source: its name.
+        text: after it and a colon.
+        choices: answers about its numbers.
+        ask: for what it must not do unasked.
+    """
+
+    source: str
+    text: str
+    choices: LogChoices = field(default_factory=LogChoices)
+    ask: Ask = lambda _question: False
+
+    def fields(
+        self, named: Mapping[str, tuple[str, Parse]], place: str = "place"
+    ) -> Fields:
+        """The place and the options that are named, by the names of their fields."""
+        allow = {"allow": ("allow", lambda _name, value: one_of(value, ("yes", "no")))}
+        return fields_of(
+            self.source, self.text, lambda part: {place: part}, {**named, **allow}
+        )
+
+    def place(self, example: str) -> str:
+        """The place, which has to be given."""
+        text = self.text.partition(",")[0]
+        if not text or "=" in text:
+            raise UsageError(
+                "{source} needs a place; give one, such as {option} {source}:{example}",
+                source=self.source,
+                option=LIVE_OPTION,
+                example=example,
+            )
+        return text
+
+    def allow(self, question: Message) -> None:
+        """Raise UsageError unless a person allows it, by `allow=yes` or when asked."""
+        if "allow=yes" in self.text.split(",") or self.ask(question):
+            return
+        raise UsageError(
+            "{source}: {question} Allow it with {option} {source}:{text},allow=yes",
+            source=self.source,
+            question=question,
+            option=LIVE_OPTION,
+            text=self.text,
+        )
+
+
+Open = Callable[[SourceOptions, Clock], LiveSource]
+
+
+@dataclass(frozen=True, slots=True)
+class SourceRow:
+    """A kind of source.
+
+    Attributes:
+        name: as people write it.
+        text: for people.
+        home: of the function that opens it, as module:name; see `Open`.
+        declares: its axes, sign and units.
+        example: of a place.
+        options: that may follow it, for people.
+        has_stamps: its samples carry the time of its own clock.
+        least_delay_s: what its link may take at least, which no envelope shows.
+    """
+
+    name: str
+    text: Message
+    home: str
+    declares: Declaration = field(default_factory=Declaration)
+    example: str = ""
+    options: str = ""
+    has_stamps: bool = True
+    least_delay_s: float = 0.001
+
+
+_HERE = "hapticplayer.capture.live"
+_PORT = "/dev/ttyUSB0"
+_BOARD = Message("the board's axes")
+_FIRMWARE = Message("the firmware's axes: x forward, y right, z down")
+
+SOURCES: tuple[SourceRow, ...] = (
+    SourceRow("wt901", Message("WitMotion WT901 and others with its protocol"), f"{_HERE}.serial_imus:open_wt901",
+        Declaration(axes_words=Message("x right, y front, z up, as printed on it")), _PORT, "`baud` (9600), `rate` (100 or 200: sets it, after asking)", has_stamps=False),
+    SourceRow("razor", Message("Razor-AHRS, text"), f"{_HERE}.serial_imus:open_razor",
+        Declaration("y,x,-z", _FIRMWARE), _PORT, "`baud` (57600)", has_stamps=False),
+    SourceRow("razor-binary", Message("Razor-AHRS, binary"), f"{_HERE}.serial_imus:open_razor_binary",
+        Declaration("y,x,-z", _FIRMWARE), _PORT, "`baud` (57600)", has_stamps=False),
+    SourceRow("ultimate-imu", Message("SparkFun Ultimate IMU, text of its stock firmware"), f"{_HERE}.serial_imus:open_ultimate_imu",
+        Declaration(axes_words=_BOARD), _PORT, "`baud` (57600)"),
+    SourceRow("csv", Message("Lines of CSV on standard input (`-`) or a port"), f"{_HERE}.serial_imus:open_csv",
+        Declaration(axes_words=_BOARD), "-", "`baud` (115200)"),
+)  # fmt: skip
+"""Those of the core, in the order in which they are listed."""
+
+
+def live_sources() -> tuple[SourceRow, ...]:
+    """Those of the core and of extensions."""
+    return tuple(extension.rows("live_sources", SourceRow, SOURCES))
+
+
+class OpenedSource:
+    """A source whose numbers are in SI, by what it declares and a person has answered.
+
+    Attributes:
+        text: as a person named it.
+        row: its kind.
+        declares: with the answers of a person in place.
+    """
+
+    def __init__(
+        self, text: str, row: SourceRow, inner: LiveSource, choices: LogChoices
+    ) -> None:
+        self.text, self.row, self._inner, self._choices = text, row, inner, choices
+        self.declares = source_answers.answered(row.declares, choices)
+        self._last_s = -np.inf
+        self._to_si = (
+            factor(self.declares.accel_unit, ACCEL_UNITS, "accel-unit"),
+            factor(self.declares.rate_unit, RATE_UNITS, "rate-unit"),
+        )
+
+    @property
+    def how(self) -> Message:
+        """What a person does at the other end to start it; "" for nothing."""
+        return cast(Message, getattr(self._inner, "how", Message("")))
+
+    def new_clock(self) -> SourceClock:
+        """A clock for its stamps, which knows how far its rate may be off."""
+        sigma = QUARTZ_SIGMA if self.row.has_stamps else COUNTED_SIGMA
+        return SourceClock(sigma, self.row.least_delay_s)
+
+    def read(self, timeout_s: float) -> Samples:
+        """See `LiveSource`."""
+        samples = self._inner.read(timeout_s)
+        if not len(samples.stamp_s):
+            return samples
+        samples = samples.where(self._in_order(samples.stamp_s))
+        accel, rate = own_axes((samples.accel_mps2, samples.rate_radps), self._choices)
+        sign = -1.0 if self.declares.accel_sign == "-" else 1.0
+        with np.errstate(all="ignore"):  # what overflows is left out
+            accel, rate = accel * (sign * self._to_si[0]), rate * self._to_si[1]
+            rate[~(np.abs(rate) <= MAX_ANGULAR_RATE_RADPS).all(axis=1)] = np.nan
+            is_sane = np.all(np.abs(accel) <= MAX_ACCELERATION_MPS2, axis=1)
+        samples = samples._replace(accel_mps2=accel, rate_radps=rate)
+        return samples.where(np.asarray(is_sane))
+
+    def _in_order(self, stamp_s: Floats) -> NDArray[np.bool_]:
+        """A mask of the stamps that are later than all before."""
+        if stamp_s.max() < self._last_s - _BACK_S:
+            raise SourceLost(
+                "its clock began anew",
+                where=self.text,
+                remedy="connect it again; what comes is a new stretch",
+            )
+        before = np.maximum.accumulate(np.concatenate([[self._last_s], stamp_s]))
+        self._last_s = float(before[-1])
+        return np.asarray(stamp_s > before[:-1])
+
+    def close(self) -> None:
+        """See `LiveSource`."""
+        self._inner.close()
+
+
+def open_source(
+    text: str,
+    clock: Clock,
+    choices: LogChoices | None = None,
+    ask: Ask = lambda _question: False,
+) -> OpenedSource:
+    """Open what a person named.
+
+    Args:
+        text: NAME:PLACE[,OPTION=VALUE].
+        clock: that stamps arrivals.
+        choices: answers of a person; they are kept for this source, which is why they are
+            given once.
+        ask: for what must not happen unasked.
+
+    Raises:
+        LogQuestion: when an answer is missing.
+        InputError: when it cannot be opened.
+    """
+    name, _, place = text.partition(":")
+    known = {row.name: row for row in live_sources()}
+    row = entry_named(known, name, Message("the source"))
+    choices = source_answers.with_kept(text, choices or LogChoices())
+    source_answers.ask_for_missing(row.declares, choices, text)
+    opening = cast(Open, extension.load(row.home))
+    inner = opening(SourceOptions(name, place, choices, ask), clock)
+    source_answers.keep(text, choices)
+    return OpenedSource(text, row, inner, choices)
