@@ -78,6 +78,11 @@ def has_display() -> bool:
 
 
 def _open_window(options: "argparse.Namespace") -> int:
+    from hapticplayer.doctor import missing_for_window
+
+    if missing := missing_for_window():
+        sys.stderr.write(f"hapticplayer: {missing}\n")
+        return 1
     try:
         from app.bridge.interrupts import hold_signals
 

@@ -404,6 +404,24 @@ def _check_falcon() -> MachineCheck:
     return MachineCheck("Falcon", ok, detail=detail, remedy=remedy)
 
 
+def missing_for_window() -> str:
+    """What Qt would end the process for, in a sentence with one command; else "".
+
+    Under X11 Qt loads libraries that nothing imports, and aborts without them.
+    """
+    platform_name = os.environ.get("QT_QPA_PLATFORM", "")
+    on_x11 = not platform_name and not os.environ.get("WAYLAND_DISPLAY")
+    if not on_x11 and not platform_name.startswith("xcb"):
+        return ""
+    missing = missing_packages(("qt", "window"))
+    if not missing:
+        return ""
+    return (
+        "no window can be opened, as system libraries are missing; install them with: "
+        f"{APT_INSTALL} {' '.join(one.name for one in missing)}"
+    )
+
+
 def explain_import_error(error: ImportError | OSError) -> str:
     """Say in one sentence which package would have prevented an import error.
 

@@ -140,11 +140,13 @@ def _wait_ready(application: QApplication, player: Player) -> None:
 
 def study_in(place: str) -> Path | None:
     """The folder of a study that was asked for, None for what plays."""
-    if not place or not Path(place).is_dir():
+    path = Path(place)
+    if not place or not (path.is_dir() or path.suffix == ".json"):
         return None
     from hapticplayer.study.definition_reader import DEFINITION
 
-    return Path(place) if (Path(place) / DEFINITION).is_file() else None
+    folder = path.parent if path.name == DEFINITION else path
+    return folder if (folder / DEFINITION).is_file() else None
 
 
 def _begin(

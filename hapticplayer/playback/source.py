@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.errors import MediaError, Message
+from hapticplayer.errors import MediaError, Message, joined
 from hapticplayer.media.clip_bytes import ClipBytes, path_of
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack, rendered_feedback
@@ -16,7 +16,12 @@ from hapticplayer.rendering import coverage_notice, no_feedback, refuse_late
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.description import Description
 from hapticplayer.sequence.force_csv import read_force_csv
-from hapticplayer.sequence.packed import read_packed, side_car_of
+from hapticplayer.sequence.packed import (
+    SIDE_CAR,
+    is_video_name,
+    read_packed,
+    side_car_of,
+)
 from hapticplayer.sequence.store import DESCRIPTION, Sequence
 
 FROM_FILE = "file"
@@ -52,9 +57,10 @@ def open_source(
 ) -> Source:
     """The source at a path: the folder of a sequence, or a video; or a remote video.
 
-    The description in a sequence's folder means the folder. The force is a CSV file
-    with rows `time_s,fx_n,fy_n,fz_n`, held between rows. A remote video waits for its
-    server from here on, and is closed by the player.
+    The description in a sequence's folder means the folder; a file of force, such as a
+    side-car or one that `import-force` reads, means the video of its name beside it.
+    The force is a CSV file with rows `time_s,fx_n,fy_n,fz_n`, held between rows. A
+    remote video waits for its server from here on, and is closed by the player.
     """
     if isinstance(place, ClipBytes):
         source = _from_video(place)
@@ -62,6 +68,8 @@ def open_source(
     else:
         path = Path(place)
         path = path.parent if path.name == DESCRIPTION else path
+        if force is None and _is_only_force(path):
+            return _with_force_of(path)
         source = _from_sequence(path) if path.is_dir() else _from_video(path)
     if force is None:
         return source
@@ -69,6 +77,44 @@ def open_source(
     refuse_late(track, source.clip.duration_s, str(force))
     tracks = {FROM_FILE: track, **source.tracks}
     return replace(source, tracks=tracks, feedback=FROM_FILE)
+
+
+_NOT_ONLY_FORCE = (".csv", ".wav")
+"""Endings of formats of force that files of motion and sound have, too."""
+
+
+def _is_only_force(path: Path) -> bool:
+    if is_video_name(path) or path.is_dir() or path.suffix in _NOT_ONLY_FORCE:
+        return False
+    if path.name.endswith(SIDE_CAR):
+        return True
+    from hapticplayer.sequence.force_formats import read_formats
+
+    formats = read_formats().values()
+    return any(path.suffix.lower() in (f.suffix, *f.other_suffixes) for f in formats)
+
+
+def _with_force_of(path: Path) -> Source:
+    """The video beside a file of force."""
+    from hapticplayer.sequence.force_formats import read_force
+
+    stem = path.name.removesuffix(SIDE_CAR).removesuffix(path.suffix)
+    videos = sorted(one for one in path.parent.glob("*") if is_video_name(one))
+    video = next((one for one in videos if one.stem == stem), None)
+    if video is None:
+        raise MediaError(
+            "holds the force of a video, and no video of its name lies beside it",
+            where=str(path),
+            remedy="put the video there, or give a sequence the force (import-force)",
+        )
+    source = _from_video(video)
+    if path.name.endswith(SIDE_CAR):
+        return source
+    found = read_force(path)
+    refuse_late(found.track, source.clip.duration_s, str(path))
+    tracks = {FROM_FILE: found.track, **source.tracks}
+    notice = joined("; ", found.notes) if found.notes else source.notice
+    return replace(source, tracks=tracks, feedback=FROM_FILE, notice=notice)
 
 
 def _from_sequence(folder: Path) -> Source:

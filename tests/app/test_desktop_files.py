@@ -10,18 +10,30 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from app.bridge.languages import ENGLISH, NAMES
-from hapticplayer import __version__
+from hapticplayer import cli
+from hapticplayer.extras.desktop import command
+from hapticplayer.extras.desktop.man_page import man_page
+from hapticplayer.installation import shipped
 
-FOLDER = Path(__file__).resolve().parents[2] / "packaging" / "desktop"
+FOLDER = shipped("resources/desktop")
 METADATA = FOLDER / "org.hapticplayer.hapticplayer.metainfo.xml"
 MIME = "{http://www.freedesktop.org/standards/shared-mime-info}"
 
 
-def entry(name: str) -> configparser.SectionProxy:
+def entry(path: Path = FOLDER / "hapticplayer.desktop") -> configparser.SectionProxy:
     parser = configparser.RawConfigParser()
     parser.optionxform = str
-    parser.read(FOLDER / f"{name}.desktop", encoding="utf-8")
+    parser.read(path, encoding="utf-8")
     return parser["Desktop Entry"]
+
+
+@pytest.fixture
+def installed(tmp_path, monkeypatch) -> Path:
+    """Where the files of this user are, in a folder with a difficult name."""
+    share = tmp_path / 'a "name" $HOME 100%'
+    monkeypatch.setenv("XDG_DATA_HOME", str(share))
+    assert cli.main(["desktop", "install"]) == 0
+    return share
 
 
 def checked(*command, may_warn=r"^$") -> None:
@@ -34,9 +46,17 @@ def checked(*command, may_warn=r"^$") -> None:
     assert is_right, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("name", ["hapticplayer", "hapticplayer-open"])
-def test_the_desktop_entries_are_valid(name):
-    checked("desktop-file-validate", str(FOLDER / f"{name}.desktop"))
+def test_the_desktop_entry_is_valid():
+    checked("desktop-file-validate", str(FOLDER / "hapticplayer.desktop"))
+
+
+def test_an_entry_for_a_user_is_valid_wherever_the_program_is(monkeypatch, tmp_path):
+    monkeypatch.setattr(command, "own_command", lambda: Path('/x y"z$h`q/100%'))
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    assert cli.main(["desktop", "install"]) == 0
+    path = tmp_path / "applications" / "hapticplayer.desktop"
+    checked("desktop-file-validate", str(path))
+    assert entry(path)["Exec"] == r'"/x y\\"z\\$h\\`q/100%%" %F'
 
 
 def test_the_metadata_is_valid():
@@ -49,47 +69,73 @@ def test_the_metadata_names_what_there_is():
     root = ET.parse(METADATA).getroot()
     launchable = root.findtext("launchable")
     assert (FOLDER / launchable).is_file()
-    assert root.find("releases/release").get("version") == __version__
-    offered = entry("hapticplayer-open")["MimeType"].split(";")
-    assert root.findtext("provides/mediatype") in offered
+    offered = {one.text for one in root.iterfind("provides/mediatype")}
+    assert offered == own_kinds()
 
 
-def test_the_mime_type_of_a_sequence_is_the_one_that_is_opened():
-    kind = ET.parse(FOLDER / "hapticplayer-mime.xml").getroot().find(f"{MIME}mime-type")
-    assert kind.get("type") in entry("hapticplayer-open")["MimeType"].split(";")
-    assert kind.find(f"{MIME}glob").get("pattern") == "sequence.json"
+def own_kinds() -> set[str]:
+    kinds = ET.parse(FOLDER / "hapticplayer.xml").getroot()
+    return {kind.get("type") for kind in kinds.iterfind(f"{MIME}mime-type")}
+
+
+def test_every_kind_of_file_of_its_own_is_opened():
+    assert own_kinds() <= set(entry()["MimeType"].split(";"))
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "kind"),
+    [
+        ("sequence.json", b"{}", "application/x-hapticplayer-sequence"),
+        ("study.json", b"{}", "application/x-hapticplayer-study"),
+        ("ride.haptics.mkv", b"", "video/x-hapticplayer"),
+        ("ride", b"\x1aE\xdf\xa3 matroska hapticplayer.json", "video/x-hapticplayer"),
+        ("ride.hjif", b"{}", "haptics/hjif"),
+        ("other.mkv", b"\x1aE\xdf\xa3 matroska", "video/x-matroska"),
+        ("other.json", b"{}", "application/json"),
+    ],
+)
+def test_a_desktop_knows_files_by_name_and_content(
+    installed, tmp_path, monkeypatch, name, content, kind
+):
+    if not (installed / "mime" / "mime.cache").is_file():
+        pytest.skip("update-mime-database is not on this machine")
+    (tmp_path / name).write_bytes(content)
+    asked = ("xdg-mime", "query", "filetype", str(tmp_path / name))
+    if shutil.which(asked[0]) is None:
+        pytest.skip(f"{asked[0]} is not on this machine")
+    said = subprocess.run(asked, capture_output=True, text=True, check=True)
+    assert said.stdout.strip() == kind
 
 
 def test_the_comment_is_in_every_language():
-    for name in ("hapticplayer", "hapticplayer-open"):
-        for code in NAMES:
-            key = "Comment" if code == ENGLISH else f"Comment[{code}]"
-            assert entry(name)[key]
+    for code in NAMES:
+        assert entry()["Comment" if code == ENGLISH else f"Comment[{code}]"]
 
 
-def test_the_entries_start_commands_that_there_are(capsys):
-    from hapticplayer import cli
-
-    assert entry("hapticplayer")["Exec"] == "hapticplayer"
-    _, command, file = entry("hapticplayer-open")["Exec"].split()
-    assert file == "%f"
-    assert cli.main([command, "--help"]) == 0
-    assert "SEQUENCE" in capsys.readouterr().out
+def test_the_installed_entry_starts_this_program(installed, capsys):
+    path = installed / "applications" / "hapticplayer.desktop"
+    assert entry(path)["Exec"] == f'"{command.own_command()}" %F'
+    assert entry(path)["TryExec"] == str(command.own_command())
 
 
-def test_the_installer_puts_every_file_in_its_place(tmp_path):
-    subprocess.run(
-        ["bash", FOLDER / "install.sh", tmp_path], check=True, capture_output=True
-    )
-    share = tmp_path / "share"
-    for place in (
-        "applications/hapticplayer.desktop",
-        "applications/hapticplayer-open.desktop",
-        "metainfo/org.hapticplayer.hapticplayer.metainfo.xml",
-        "mime/packages/hapticplayer.xml",
-        "icons/hicolor/scalable/apps/hapticplayer.svg",
-    ):
-        assert (share / place).is_file(), place
+def test_removing_leaves_only_what_others_have_put_there(installed):
+    for name in (*command.PLACES, command.MAN):
+        assert (installed / name).is_file(), name
+    other = installed / "applications" / "other.desktop"
+    other.touch()
+    assert cli.main(["desktop", "remove"]) == 0
+    left = [p for p in installed.rglob("*") if p.is_file() and "hapticplayer" in p.name]
+    assert left == []
+    assert other.is_file()
+    assert not (installed / "icons").exists()
+
+
+def test_the_man_page_has_every_command_and_option():
+    page = man_page().replace(r"\-", "-")
+    for name, words in (("play", "--allow-network"), ("study analyse", "--missing")):
+        part = page.split(f'.SH "hapticplayer {name}"')[1].split(".SH")[0]
+        assert words in part
+    assert all(f'"hapticplayer {one.name}"' in page for one in cli.commands())
 
 
 def test_the_description_file_of_a_sequence_opens_the_sequence(sequence):

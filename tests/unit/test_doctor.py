@@ -233,6 +233,31 @@ def test_import_errors_are_explained(error, sentence) -> None:
     assert doctor.explain_import_error(error) == sentence
 
 
+@pytest.mark.parametrize(
+    ("environment", "is_refused"),
+    [
+        ({"DISPLAY": ":0"}, True),
+        ({"QT_QPA_PLATFORM": "xcb"}, True),
+        ({"DISPLAY": ":0", "WAYLAND_DISPLAY": "wayland-0"}, False),
+        ({"QT_QPA_PLATFORM": "offscreen"}, False),
+    ],
+)
+def test_a_window_that_qt_would_abort_is_refused(
+    monkeypatch, lack, capsys, environment, is_refused
+) -> None:
+    lack("libxcb-cursor0", "libxcb-icccm4", "libportaudio2")
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+
+    said = doctor.missing_for_window()
+
+    assert bool(said) is is_refused
+    if is_refused:
+        assert said.endswith(f"{doctor.APT_INSTALL} libxcb-cursor0 libxcb-icccm4")
+
+
 def test_a_display_that_answers_is_found(monkeypatch, listener) -> None:
     monkeypatch.setenv("WAYLAND_DISPLAY", str(listener))
     monkeypatch.delenv("DISPLAY", raising=False)
