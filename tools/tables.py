@@ -20,6 +20,7 @@ from app.player.command import Command
 from app.player.commands import COMMANDS as WINDOW_COMMANDS
 from hapticplayer import cli
 from hapticplayer.capture import formats
+from hapticplayer.capture.live import source
 from hapticplayer.capture.sync import methods
 from hapticplayer.devices import installed_devices
 from hapticplayer.extension import load
@@ -68,6 +69,17 @@ def recording_formats() -> str:
             for f in formats.recording_formats()
         ),
     )
+
+
+def live_sources() -> str:
+    """Sources of `record` and `feel`."""
+    return table(
+        "source | what | such as | options | its axes",
+        (
+            (_code(s.name), s.text, _code(f"{s.name}:{s.example}"), s.options, s.declares.axes_words)
+            for s in source.live_sources()
+        ),
+    )  # fmt: skip
 
 
 def media_tried() -> str:
@@ -323,6 +335,7 @@ TABLES: dict[str, Callable[[], str]] = {
     one.__name__.replace("_", "-"): one
     for one in (
         recording_formats,
+        live_sources,
         media_tried,
         sync_methods,
         gravity_methods,

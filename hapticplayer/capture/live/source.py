@@ -8,7 +8,8 @@ What a source does not declare (unit, sign, axes) is asked once and kept for it.
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any, NamedTuple, Protocol, cast
 
 import numpy as np
@@ -177,6 +178,12 @@ _PORT = "/dev/ttyUSB0"
 _BOARD = Message("the board's axes")
 _FIRMWARE = Message("the firmware's axes: x forward, y right, z down")
 
+_PHONE = Declaration(
+    axes_words=Message("the phone's axes: x right, y top, z out of the screen")
+)
+_WIFI_S = 0.006
+"""A wireless link takes 2 to 10 ms at least."""
+
 SOURCES: tuple[SourceRow, ...] = (
     SourceRow("wt901", Message("WitMotion WT901 and others with its protocol"), f"{_HERE}.serial_imus:open_wt901",
         Declaration(axes_words=Message("x right, y front, z up, as printed on it")), _PORT, "`baud` (9600), `rate` (100 or 200: sets it, after asking)", has_stamps=False),
@@ -188,6 +195,14 @@ SOURCES: tuple[SourceRow, ...] = (
         Declaration(axes_words=_BOARD), _PORT, "`baud` (57600)"),
     SourceRow("csv", Message("Lines of CSV on standard input (`-`) or a port"), f"{_HERE}.serial_imus:open_csv",
         Declaration(axes_words=_BOARD), "-", "`baud` (115200)"),
+    SourceRow("phyphox", Message("phyphox on a phone, which is asked"), f"{_HERE}.phones:open_phyphox",
+        _PHONE, "192.168.1.20:8080", least_delay_s=_WIFI_S),
+    SourceRow("sensor-server", Message("SensorServer on an Android phone, by WebSocket"), f"{_HERE}.phones:open_sensor_server",
+        _PHONE, "192.168.1.20:8080", least_delay_s=_WIFI_S),
+    SourceRow("sensor-logger", Message("Sensor Logger on a phone, which posts to this machine"), f"{_HERE}.phones:open_sensor_logger",
+        replace(_PHONE, accel_sign=""), "8000", "`allow=yes` (listens to the network unasked)", least_delay_s=_WIFI_S),
+    SourceRow("lsl", Message("A stream of LSL, by its name or type"), f"{_HERE}.lsl_source:open_lsl",
+        Declaration(axes_words=Message("the stream's axes")), "NAME"),
 )  # fmt: skip
 """Those of the core, in the order in which they are listed."""
 
@@ -195,6 +210,15 @@ SOURCES: tuple[SourceRow, ...] = (
 def live_sources() -> tuple[SourceRow, ...]:
     """Those of the core and of extensions."""
     return tuple(extension.rows("live_sources", SourceRow, SOURCES))
+
+
+def serial_ports() -> list[str]:
+    """The ports of this machine that a board may be on, by their lasting names."""
+    named = sorted(Path("/dev/serial/by-id").glob("*"))
+    known = {one.resolve() for one in named}
+    kinds = (Path("/dev").glob(f"tty{kind}*") for kind in ("USB", "ACM"))
+    others = sorted(one for found in kinds for one in found if one not in known)
+    return [str(one) for one in (*named, *others)]
 
 
 class OpenedSource:

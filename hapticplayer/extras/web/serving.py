@@ -13,16 +13,16 @@ import json
 import os
 import re
 import secrets
-import socket
 import sys
 import tempfile
 from collections.abc import Mapping
 from http import HTTPStatus
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 from typing import Any, BinaryIO
 from urllib.parse import quote, unquote
 
+from hapticplayer.capture.live.push_server import LOOPBACK, BoundedServer
 from hapticplayer.cli.common import (
     add_accept_changed,
     add_number,
@@ -40,14 +40,9 @@ from hapticplayer.sequence.store import DESCRIPTION, open_sequence
 from hapticplayer.sequence.unpack import require_packed
 from hapticplayer.untrusted import open_regular
 
-MAX_CONNECTIONS, MAX_CONNECTIONS_OF_ONE = 64, 16
-"""Of a server, and of one address."""
-
 CONNECTION_S = 30.0
 """How long a connection may send nothing of a request, or take nothing of an answer."""
 
-LOOPBACK = "127.0.0.1"
-_ANY_ADDRESS = ("192.0.2.1", 9)  # of documentation (RFC 5737): nothing is sent there
 _RANGE = re.compile(r"bytes=(\d{1,18}-\d{0,18}|-\d{1,18})")
 _AUTHORITY = re.compile(r"^https?://[^/?]*", re.ASCII | re.IGNORECASE)
 """Of a request in absolute form, as proxies send it (RFC 9112, 3.2.2)."""
@@ -148,7 +143,7 @@ def _announce(server: "FileServer", title: str, options: argparse.Namespace) -> 
     sys.stdout.flush()  # it may be a pipe, and nothing follows
 
 
-class FileServer(ThreadingHTTPServer):
+class FileServer(BoundedServer):
     """Serves files by name; a thread for each connection.
 
     Args:
@@ -160,71 +155,20 @@ class FileServer(ThreadingHTTPServer):
         NetworkError: when it cannot listen there.
     """
 
-    daemon_threads = True
-    request_queue_size = MAX_CONNECTIONS
+    refusal = NetworkError
 
     def __init__(
         self, files: list[Path], address: str = LOOPBACK, port: int = 0
     ) -> None:
         self.files: Mapping[str, Path] = {file.name: file for file in files}
         self.token = secrets.token_urlsafe(16)
-        self._open: dict[socket.socket, str] = {}  # host by connection
-        self.address_family = socket.AF_INET6 if ":" in address else socket.AF_INET
-        try:
-            super().__init__((address, port), _Handler)
-        except (OSError, OverflowError) as problem:
-            raise NetworkError(
-                "cannot listen on port {port} ({reason})",
-                where=address,
-                remedy="choose an address of this machine and a free port",
-                port=port,
-                reason=problem,
-            ) from problem
-
-    @property
-    def connections(self) -> int:
-        return len(self._open)
+        super().__init__(address, port, _Handler)
 
     @property
     def url(self) -> str:
         """The address that a viewer needs."""
-        address, port = self.server_address[:2]
-        host = str(address)
-        if ipaddress.ip_address(host).is_unspecified:
-            host = _own_address(self.address_family) or socket.gethostname()
-        host = f"[{host}]" if ":" in host else host
         name = quote(os.fsencode(next(iter(self.files))))
-        return f"http://{host}:{port}/{self.token}/{name}"
-
-    def server_bind(self) -> None:
-        """Bind without asking a name server who we are."""
-        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        self.socket.bind(self.server_address)
-        self.server_address = self.socket.getsockname()
-
-    def verify_request(self, request: Any, client_address: Any) -> bool:
-        """Whether there is room for one more connection."""
-        host = client_address[0]
-        of_one = list(self._open.values()).count(host)
-        if len(self._open) >= MAX_CONNECTIONS or of_one >= MAX_CONNECTIONS_OF_ONE:
-            return False
-        self._open[request] = host
-        return True
-
-    def shutdown_request(self, request: Any) -> None:
-        """End a connection."""
-        self._open.pop(request, None)
-        super().shutdown_request(request)
-
-    def handle_error(self, request: Any, client_address: Any) -> None:
-        """Say nothing of what clients do wrong."""
-
-    def server_close(self) -> None:
-        """Hang up on everybody and stop to listen."""
-        super().server_close()
-        for connection in list(self._open):
-            with contextlib.suppress(OSError):  # it has gone by itself
-                connection.shutdown(socket.SHUT_RDWR)
+        return f"{self.root}/{self.token}/{name}"
 
 
 class _Handler(BaseHTTPRequestHandler):
@@ -329,15 +273,3 @@ def wanted_bytes(header: str, size: int) -> tuple[int, int] | None:
     else:
         begin, end = int(first), min(size, int(last) + 1) if last else size
     return (begin, end) if begin < end else None
-
-
-def _own_address(family: int) -> str:
-    """The address under which the local network knows this machine, "" if none."""
-    if family != socket.AF_INET:
-        return ""
-    with socket.socket(family, socket.SOCK_DGRAM) as asked:
-        try:
-            asked.connect(_ANY_ADDRESS)
-        except OSError:
-            return ""
-        return str(asked.getsockname()[0])

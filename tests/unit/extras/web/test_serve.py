@@ -10,7 +10,6 @@ import pytest
 
 from hapticplayer.extras.web.http_range import NetworkError
 from hapticplayer.extras.web.serving import (
-    MAX_CONNECTIONS_OF_ONE,
     FileServer,
 )
 from tests.web_server import wait_for
@@ -199,7 +198,7 @@ def test_who_never_finishes_a_request_is_hung_up_on(server, monkeypatch, said):
 
 
 def test_one_address_cannot_take_all_connections(server, ask):
-    crowd = [connected(server) for _ in range(MAX_CONNECTIONS_OF_ONE)]
+    crowd = [connected(server) for _ in range(server.most_of_one)]
     with connected(server) as one_more:
         assert one_more.recv(100) == b""
     for one in crowd:
