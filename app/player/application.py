@@ -20,6 +20,7 @@ from app.widgets.theme import icon
 from app.widgets.voice import give_voice
 from hapticplayer.cli.common import complain, say
 from hapticplayer.cli.play import (
+    about,
     attach_log,
     opened,
     record_target,
@@ -80,7 +81,7 @@ def run(options: argparse.Namespace) -> int:
         _show(window, options, source, feedback)
         if source and feedback:
             _wait_ready(application, player)
-            attach_log(player, options, source, feedback)
+            attach_log(player, options, about(source, feedback))
     except BaseException:
         window.close()
         raise

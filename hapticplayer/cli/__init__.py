@@ -174,6 +174,12 @@ COMMANDS = (
         ".device",
         ("list", "info simulated", "test falcon"),
     ),
+    Command(
+        "feel",
+        "feel what a sensor measures now",
+        ".feel",
+        ("--imu wt901:/dev/ttyUSB0,rate=200 --device falcon", "--imu csv:- --gain 0.8"),
+    ),
     Command("doctor", "list what is missing, by package name", "hapticplayer.doctor"),
 )
 

@@ -13,15 +13,21 @@ from hapticplayer.sequence.presets import PRESETS
 FIT = "fit"
 
 
-def add_mapping(command: argparse._ActionsContainer) -> None:
-    """Add what maps motion to force; an option that is not given is None."""
+def add_mapping(command: argparse._ActionsContainer, *, is_live: bool = False) -> None:
+    """Add what maps motion to force; an option that is not given is None.
+
+    Motion that is felt live has neither a fitted gain nor a lever arm: both need the
+    whole recording.
+    """
+    text = "newtons per m/s^2 (default 0.4), for all axes or for right, up and towards "
+    fit = (
+        "; fit: 99.5 %% of the force at most 3.5 N, from 0.2 to 1.6, which makes clips "
+    )
     command.add_argument(
         "--gain",
-        type=_gain,
-        metavar="S|SX,SY,SZ|fit",
-        help="newtons per m/s^2 (default 0.4), for all axes or for right, up and "
-        "towards the user; fit: 99.5 %% of the force at most 3.5 N, from 0.2 to 1.6, "
-        "which makes clips incomparable",
+        type=_gains if is_live else _gain,
+        metavar="S|SX,SY,SZ" if is_live else "S|SX,SY,SZ|fit",
+        help=f"{text}the user" + ("" if is_live else f"{fit}incomparable"),
     )
     command.add_argument(
         "--axes",
@@ -31,6 +37,17 @@ def add_mapping(command: argparse._ActionsContainer) -> None:
         "(x right, y front, z up): three of them (default x,z,-y; write --axes=-x,...) "
         "or the nine numbers of a rotation, row by row",
     )
+    if not is_live:
+        _add_lever_arm(command)
+    command.add_argument(
+        "--soft-knee",
+        action=argparse.BooleanOptionalAction,
+        help=f"compress forces above {SOFT_KNEE_N:g} N smoothly instead of cutting them "
+        "at the limit",
+    )
+
+
+def _add_lever_arm(command: argparse._ActionsContainer) -> None:
     command.add_argument(
         "--lever-arm",
         type=_lever_arm,
@@ -38,12 +55,6 @@ def add_mapping(command: argparse._ActionsContainer) -> None:
         help="feel another point of the rigid body: metres right, front and up from "
         "the recorder (default 0,0,0; write --lever-arm=-0.1,...), or a rough example for a recorder on the chest: "
         + ", ".join(LEVER_ARMS_M),
-    )
-    command.add_argument(
-        "--soft-knee",
-        action=argparse.BooleanOptionalAction,
-        help=f"compress forces above {SOFT_KNEE_N:g} N smoothly instead of cutting them "
-        "at the limit",
     )
 
 
@@ -67,7 +78,8 @@ def chosen_mapping(
         options: of `add_mapping`.
         before: the default mapping if None.
     """
-    chosen = {"axes": options.axes, "lever_arm_m": options.lever_arm}
+    chosen = {"axes": options.axes}
+    chosen["lever_arm_m"] = getattr(options, "lever_arm", None)
     fits_gain = options.gain == FIT
     if not fits_gain:
         chosen["gain_n_per_mps2"] = options.gain
@@ -91,8 +103,10 @@ def mapping_text(mapping: Mapping) -> str:
 
 
 def _gain(text: str) -> float | AxisGains | str:
-    if text == FIT:
-        return FIT
+    return FIT if text == FIT else _gains(text)
+
+
+def _gains(text: str) -> float | AxisGains:
     parts = text.split(",")
     if len(parts) == 1:
         return ranges.GAIN_N_PER_MPS2.parse("--gain", text)

@@ -3,7 +3,7 @@
 import argparse
 import json
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -126,6 +126,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="X",
         help=f"{SLOWEST:g} to {FASTEST:g} (default: 1)",
     )
+    add_running(parser)
+
+
+def add_running(parser: argparse.ArgumentParser) -> None:
+    """Add what is kept of a run, and how its loop is scheduled."""
     parser.add_argument(
         "--log", metavar="FILE", help="write what happened as JSON lines"
     )
@@ -200,7 +205,7 @@ def play(options: argparse.Namespace) -> int:
     try:
         player.set_outputs(options.outputs, record)
         player.wait_ready()
-        attach_log(player, options, source, feedback)
+        attach_log(player, options, about(source, feedback))
         player.open(source, feedback)
         if options.speed != 1.0:
             player.set_speed(options.speed)
@@ -214,7 +219,7 @@ def play(options: argparse.Namespace) -> int:
         problems, notes = _problems(player.snapshot())
     finally:
         player.close()
-    problems += _faults(player.snapshot())  # at the end
+    problems += faults_of(player.snapshot())  # at the end
     report = player.summary()
     say(json.dumps(report) if options.json else _summary_text(source, feedback, report))
     now = player.snapshot()
@@ -233,14 +238,14 @@ def _problems(now: Snapshot) -> tuple[list[str], list[str]]:
 
     Nothing was felt where the leading output played nothing, or all of them.
     """
-    problems: list[str] = [now.problem, *_faults(now)]
+    problems: list[str] = [now.problem, *faults_of(now)]
     notes = [one.note for one in now.outputs if one.note]
     if now.leading.note or (notes and len(notes) == len(now.outputs)):
         return problems + notes, []
     return problems, notes
 
 
-def _faults(now: Snapshot) -> list[str]:
+def faults_of(now: Snapshot) -> list[str]:
     """What kept each output from playing, the others than the leading one by name."""
     return [
         what
@@ -346,28 +351,40 @@ def refuse_outputs(options: argparse.Namespace) -> None:
 
 
 def attach_log(
-    player: Player, options: argparse.Namespace, source: Source, feedback: str
+    player: Player, options: argparse.Namespace, about: Mapping[str, Any]
 ) -> None:
-    """Let the player write a log, if one was asked for."""
+    """Let the player write a log, if one was asked for.
+
+    Args:
+        player: with its outputs.
+        options: of `add_running`.
+        about: what is played, for the header.
+    """
     if options.log is None:
         return
-    now = player.snapshot()
     header = {
         "program": f"hapticplayer {__version__}",
-        "clip": source.clip.path.name,
-        "title": source.title,
-        "duration_s": source.clip.duration_s,
-        "feedback": feedback,
+        **about,
         "outputs": player.output_names,
-        "scheduling": now.leading.scheduling,
+        "scheduling": player.snapshot().leading.scheduling,
         "time": "seconds of CLOCK_MONOTONIC",
     }
     path, overwrite = Path(options.log), options.overwrite
     player.attach_log(PlaybackLog(path, header, overwrite=overwrite))
 
 
+def about(source: Source, feedback: str) -> dict[str, Any]:
+    """What is played, for the header of a log."""
+    return {
+        "clip": source.clip.path.name,
+        "title": source.title,
+        "duration_s": source.clip.duration_s,
+        "feedback": feedback,
+    }
+
+
 def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
-    frames, lateness = report["frames"], report["lateness_us"]
+    frames = report["frames"]
     lines = [
         f"{source.title} - feedback {feedback}, device {report['device']}",
         f"  frames     {frames['shown']} shown, {frames['dropped']} dropped",
@@ -378,12 +395,7 @@ def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
             else ""
         ),
     ]
-    if lateness:
-        lines.append(
-            f"  loop       {report['ticks']} ticks, {report['missed']} missed, lateness "
-            f"p50 {lateness['p50']:.0f} us, p99 {lateness['p99']:.0f} us, "
-            f"p99.9 {lateness['p999']:.0f} us ({report['scheduling']})"
-        )
+    lines += loop_text(report)
     for name, key in (("video", "video"), ("sound", "audio")):
         stats = report[f"haptic_minus_{key}_ms"]
         if stats:
@@ -397,8 +409,14 @@ def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def _head_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
-    return f"{source.title} - feedback {feedback}, device {report['device']}"
+def loop_text(report: dict[str, Any]) -> list[str]:
+    """What the loop of the leading output did, in a line."""
+    lateness = report["lateness_us"]
+    if not lateness:
+        return []
+    line = f"  loop       {report['ticks']} ticks, {report['missed']} missed, lateness "
+    line += f"p50 {lateness['p50']:.0f} us, p99 {lateness['p99']:.0f} us, "
+    return [f"{line}p99.9 {lateness['p999']:.0f} us ({report['scheduling']})"]
 
 
 def _channel_texts(channels: list[dict[str, Any]]) -> list[str]:

@@ -228,6 +228,7 @@ class OpenedSource:
         text: as a person named it.
         row: its kind.
         declares: with the answers of a person in place.
+        listener: is handed what was read, in the thread that reads; None for nobody.
     """
 
     def __init__(
@@ -235,6 +236,7 @@ class OpenedSource:
     ) -> None:
         self.text, self.row, self._inner, self._choices = text, row, inner, choices
         self.declares = source_answers.answered(row.declares, choices)
+        self.listener: Callable[[Samples], None] | None = None
         self._last_s = -np.inf
         self._to_si = (
             factor(self.declares.accel_unit, ACCEL_UNITS, "accel-unit"),
@@ -253,7 +255,12 @@ class OpenedSource:
 
     def read(self, timeout_s: float) -> Samples:
         """See `LiveSource`."""
-        samples = self._inner.read(timeout_s)
+        samples = self._in_si(self._inner.read(timeout_s))
+        if self.listener is not None:
+            self.listener(samples)
+        return samples
+
+    def _in_si(self, samples: Samples) -> Samples:
         if not len(samples.stamp_s):
             return samples
         samples = samples.where(self._in_order(samples.stamp_s))
