@@ -88,6 +88,8 @@ _HERE = "hapticplayer.capture"
 FORMATS: tuple[RecordingFormat, ...] = (
     RecordingFormat("gopro", Message("GoPro"), f"{_HERE}.gopro:READER",
         "the track `GoPro MET`; `DEVC` of raw GPMF", "at the first frame of the video; raw GPMF without STMP: where the first payload begins", "recordings of HERO5, 6, 7, 8, 9, 13 (time lapse) and Fusion; documentation of MAX and HERO11"),
+    RecordingFormat("recorded", Message("Recorded here"), f"{_HERE}.recorded:READER",
+        "a folder with `recording.json` and `imu.csv`", "at the first frame of the video", "itself"),
     RecordingFormat("si-csv", Message("CSV in SI units"), f"{_HERE}.si_csv:READER",
         "`time_s,ax,...`", "where `time_s` is 0", "itself"),
 )  # fmt: skip

@@ -55,6 +55,12 @@ from hapticplayer.model.limits import (
 from hapticplayer.model.spellings import column_names, find_separator
 from hapticplayer.storage import file_replaced
 
+RECORDING = "recording.json"
+"""Describes a folder that was recorded here; see `recorded`."""
+
+ARRIVAL = "arrival_s"
+"""A column of recorders here: when the machine received the row."""
+
 _UNITS: dict[str, tuple[str, Mapping[str, float]]] = {
     "accel_unit": ("accel", ACCEL_UNITS),
     "rate_unit": ("rate", RATE_UNITS),
@@ -65,7 +71,12 @@ _UNITS: dict[str, tuple[str, Mapping[str, float]]] = {
 
 def recognises(source: LogSource) -> Confidence:
     """The name of the time column comes first; a folder holds one such file."""
-    return Confidence.CERTAIN if len(_logs(source)) == 1 else Confidence.NO
+    is_other = RECORDING in source.names
+    return (
+        Confidence.CERTAIN
+        if len(_logs(source)) == 1 and not is_other
+        else Confidence.NO
+    )
 
 
 def _logs(source: LogSource) -> list[str]:
@@ -208,7 +219,7 @@ def _read_named(source: LogSource) -> tuple[Numbers, tuple[str, ...]]:
     shape = Shape(
         len(names), columns, separator, decimal, skip_lines=at + 1, names=names
     )
-    others = [one for one in names if one and one not in wanted]
+    others = [one for one in names if one and one not in (*wanted, ARRIVAL)]
     note = Message("not read: the columns {names}", names=", ".join(others)[:120])
     return read_table(source, name, shape), (note,) if others else ()
 

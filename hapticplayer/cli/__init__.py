@@ -111,7 +111,17 @@ COMMANDS = (
         (
             "GX010042.MP4 -o ride",
             "clip.mp4 --imu log.csv -o ride",
+            "take -o ride",
             "clip.mp4 --imu log.csv --read-as accel-unit=g --offset -6.39 -o ride",
+        ),
+    ),
+    Command(
+        "record",
+        "record camera, microphone and IMU on one clock",
+        ".record",
+        (
+            "--list",
+            "-o take --camera /dev/video0 --audio default --imu wt901:/dev/ttyUSB0",
         ),
     ),
     Command(

@@ -1,11 +1,13 @@
 """The command `import`: one video, or several, each with the log beside it."""
 
 import argparse
+import dataclasses
 import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from hapticplayer.capture.mounting import BY_FRAMES
+from hapticplayer.capture.recorded import is_take, parts_of
 from hapticplayer.cli.common import (
     add_number,
     refuse_idle,
@@ -57,7 +59,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "videos",
         metavar="VIDEO",
         nargs="+",
-        help="with several, each becomes a folder in DIR, with the log beside "
+        help="or a folder that record has made; with several, each becomes a folder in DIR, with the log beside "
         "it under the same name (ride.mp4, ride.csv), and a summary is printed",
     )
     command.add_argument("-o", "--output", required=True, metavar="DIR")
@@ -120,13 +122,12 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     """Import a video with its motion, showing the progress; several with a summary."""
     if len(options.videos) > 1:
         return import_batch(options)
+    choices, video, log = chosen_import(options), Path(options.videos[0]), options.imu
+    if is_take(video):
+        video, log, choices = _of_take(video, choices, options)
     with shown_progress() as progress:
         folder = build_sequence(
-            options.videos[0],
-            options.output,
-            imu_log=options.imu,
-            choices=chosen_import(options),
-            progress=progress,
+            video, options.output, imu_log=log, choices=choices, progress=progress
         )
     keep_template(options)
     sequence = open_sequence(folder)
@@ -136,6 +137,18 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         return 0
     _say_imported(folder, sequence)
     return 0
+
+
+def _of_take(
+    folder: Path, choices: Choices, options: argparse.Namespace
+) -> tuple[Path, Path | None, Choices]:
+    """The clip and the log of what `record` has made, mounted as it says."""
+    refuse_idle(options, "with a recording, which has its own log", "--imu")
+    clip, log, mounting = parts_of(folder)
+    if choices.suggest_gain is not None:
+        return clip, None, choices
+    mounting = choices.mounting or mounting
+    return clip, log, dataclasses.replace(choices, mounting=mounting)
 
 
 def chosen_import(options: argparse.Namespace) -> Choices:
@@ -240,7 +253,7 @@ def import_batch(options: argparse.Namespace) -> int:
     for video in videos:
         with shown_progress() as progress:
             target = Path(options.output) / video.stem
-            rows.append(_import(video, target, choices, progress))
+            rows.append(_import(video, target, choices, options, progress))
     if any(row.status == 0 for row in rows):
         keep_template(options)
     if options.json:
@@ -251,11 +264,21 @@ def import_batch(options: argparse.Namespace) -> int:
     return 1 if 1 in statuses else max(statuses)
 
 
-def _import(video: Path, target: Path, choices: Choices, progress: Progress) -> Row:
+def _import(
+    video: Path,
+    target: Path,
+    choices: Choices,
+    options: argparse.Namespace,
+    progress: Progress,
+) -> Row:
     try:
-        log = None if choices.suggest_gain is not None else log_beside(video)
+        clip, log = video, None
+        if is_take(video):
+            clip, log, choices = _of_take(video, choices, options)
+        elif choices.suggest_gain is None:
+            log = log_beside(video)
         folder = build_sequence(
-            video, target, imu_log=log, choices=choices, progress=progress
+            clip, target, imu_log=log, choices=choices, progress=progress
         )
         sequence = open_sequence(folder)
     except Cancelled:

@@ -115,7 +115,7 @@ class LoopRecording:
 # --- the recorder's side ----------------------------------------------------
 
 
-class Recorder:
+class TickRecorder:
     """Moves ticks from the ring into the file of a writer that has its header."""
 
     def __init__(self, clock: Clock, block: SharedBlock, writer: RecordWriter) -> None:
@@ -195,7 +195,7 @@ def main(argv: list[str] | None = None) -> int:
     os.nice(NICENESS)
     try:
         writer = RecordWriter(options.file)
-        recorder = Recorder(SystemClock(), SharedBlock(options.block), writer)
+        recorder = TickRecorder(SystemClock(), SharedBlock(options.block), writer)
         recorder.run(options.loop_pidfd)
     except (OSError, ValueError) as problem:
         with contextlib.suppress(OSError):  # the player may be gone, and its stderr

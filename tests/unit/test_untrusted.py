@@ -154,6 +154,7 @@ OWN = {
     ("hapticplayer/devices/serial_line.py", "os.open"): "a serial port",
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",
     ("app/player/problem_report.py", "ZipFile"): "a new file",
+    ("hapticplayer/media/live_input.py", "open"): "a camera or microphone",
     ("hapticplayer/media/opening.py", "open"): "by its resolved name",
     ("hapticplayer/media/opening.py", "read_text"): "a file of the system",
     ("hapticplayer/media/clip_bytes.py", "open"): "a file of the system",

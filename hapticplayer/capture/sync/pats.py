@@ -69,12 +69,15 @@ class _FittedShift:
         return float(np.mean([pat.felt_s for pat in self.pats]))
 
 
-def synchronize_pats(imu: ImuLog, sound: Events) -> Synchronisation | None:
+def synchronize_pats(
+    imu: ImuLog, sound: Events, allowed_s: tuple[float, float] = _ANY_SHIFT
+) -> Synchronisation | None:
     """Return the clock map of the log to the sound, None if nothing coincides.
 
     Args:
         imu: the log; at least averages at 30 Hz.
         sound: events of the sound, in media time.
+        allowed_s: least and largest shift, where a clock tells.
     """
     shock = shock_events(imu, shocks(imu))
     if len(sound) < 3 or len(shock) < 3:
@@ -84,12 +87,14 @@ def synchronize_pats(imu: ImuLog, sound: Events) -> Synchronisation | None:
     streams = _Streams(imu, sound, shock, match, Whitener.of(imu))
     begin_s, end_s = float(sound.time_s[0]), float(sound.time_s[-1])
     if end_s - begin_s < LONG_S:
-        found = _find(streams, sound, _ANY_SHIFT)
+        found = _find(streams, sound, allowed_s)
         return None if found is None else _result(found, None)
-    return _long(streams, begin_s, end_s)
+    return _long(streams, begin_s, end_s, allowed_s)
 
 
-def _long(streams: _Streams, begin_s: float, end_s: float) -> Synchronisation | None:
+def _long(
+    streams: _Streams, begin_s: float, end_s: float, allowed_s: tuple[float, float]
+) -> Synchronisation | None:
     """Anchor at the more certain end; the other gives the clock rate."""
     ends = [
         streams.sound.within(begin_s, begin_s + _END_S),
@@ -97,23 +102,23 @@ def _long(streams: _Streams, begin_s: float, end_s: float) -> Synchronisation | 
     ]
     slack_s = _DRIFT_LIMIT * (end_s - begin_s) + streams.match.sigma_s
     ranked = [
-        candidates(part, streams.shock, streams.match, _ANY_SHIFT) for part in ends
+        candidates(part, streams.shock, streams.match, allowed_s) for part in ends
     ]
     found = [
-        _found(streams, ends[0], _supported(ranked[0], ranked[1], slack_s)),
-        _found(streams, ends[1], _supported(ranked[1], ranked[0], slack_s)),
+        _found(streams, ends[0], _supported(ranked[0], ranked[1], slack_s), allowed_s),
+        _found(streams, ends[1], _supported(ranked[1], ranked[0], slack_s), allowed_s),
     ]
     scores = [-math.inf if one is None else one.score for one in found]
     anchor_end = int(np.argmax(scores))
     anchor = found[anchor_end]
     if anchor is None or anchor.score < _ENOUGH:
-        whole = _find(streams, streams.sound.rarest(600), _ANY_SHIFT)
+        whole = _find(streams, streams.sound.rarest(600), allowed_s)
         if whole is not None and (anchor is None or whole.score > anchor.score):
             return _result(whole, None)
     if anchor is None:
         return None
-    allowed_s = (anchor.shift_s - slack_s, anchor.shift_s + slack_s)
-    other = _find(streams, ends[1 - anchor_end], allowed_s)
+    near_s = (anchor.shift_s - slack_s, anchor.shift_s + slack_s)
+    other = _find(streams, ends[1 - anchor_end], near_s)
     is_felt = other is not None and other.best.evidence >= _LEAST_END
     return _result(anchor, other if is_felt else None)
 
@@ -137,11 +142,14 @@ def _find(
     streams: _Streams, sound: Events, allowed_s: tuple[float, float]
 ) -> _FittedShift | None:
     ranked = candidates(sound, streams.shock, streams.match, allowed_s)
-    return _found(streams, sound, ranked)
+    return _found(streams, sound, ranked, allowed_s)
 
 
 def _found(
-    streams: _Streams, sound: Events, ranked: list[Candidate]
+    streams: _Streams,
+    sound: Events,
+    ranked: list[Candidate],
+    allowed_s: tuple[float, float],
 ) -> _FittedShift | None:
     """Return the best of some shifts, fitted."""
     best = next((one for one in ranked if one.triple is not None), None)
@@ -162,7 +170,8 @@ def _found(
     mean_s = float(np.mean([pat.heard_s - pat.felt_s for pat in pats])) + late_s
     reach_s = _FIT_REACH_S + 1.0 / streams.imu.rate_hz
     fit = fit_shift(streams.imu, streams.whitener, sound.time_s[heard], mean_s, reach_s)
-    tried_s2 = float(np.ptp(sound.time_s)) * float(np.ptp(streams.imu.time_s))
+    shifts_s = min(allowed_s[1] - allowed_s[0], float(np.ptp(streams.imu.time_s)))
+    tried_s2 = float(np.ptp(sound.time_s)) * shifts_s
     chance = _CHANCE + math.log(min(1.0, max(tried_s2, 1.0) / _CHANCE_S2))
     return _FittedShift(best, rivals[:_RIVALS], pats, fit.shift_s, fit.sigma_s, chance)
 

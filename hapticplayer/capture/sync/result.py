@@ -62,6 +62,7 @@ class SyncInput(NamedTuple):
         lag: of the recording's own clock, as far as it is known.
         contradiction: why the own clock cannot be believed by itself; "" if it can.
         others: places by other sources than the own clock.
+        near_s: taps are looked for no farther from the own clock than that; None: anywhere.
     """
 
     imu: ImuLog
@@ -72,6 +73,7 @@ class SyncInput(NamedTuple):
     lag: ClockLag | None = None
     contradiction: Message | str = ""
     others: tuple[OtherPlace, ...] = ()
+    near_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.frames import frame_function
 from hapticplayer.capture.recording import OtherPlace
 from hapticplayer.capture.sync.methods import AUTO, sync_method
@@ -18,7 +19,7 @@ from hapticplayer.capture.sync.result import (
     Synchronisation,
     SyncInput,
 )
-from hapticplayer.errors import InputError, MediaError, Message, UsageError
+from hapticplayer.errors import InputError, MediaError, Message, UsageError, joined
 from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.model import ClockMap, ImuLog
 
@@ -38,6 +39,7 @@ _MIN_SOUND_RATE_HZ = 4000.0
 _AGREES_S = 0.0167
 _PATS_SIGMA_S = 0.004  # of pats at the least, beyond what their fit says
 _MOST_SIGMAS = 3.0
+_NEAR_S = 0.15  # of a recorder's clock: a camera's exposure and a link's least delay
 
 
 def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> ClipSound:
@@ -211,6 +213,8 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
     if inputs.contradiction:
         return _decided(inputs, inputs.own)
     lag = inputs.lag
+    if lag is not None and lag.is_of_machine:
+        return _corrected(inputs, inputs.own, lag)
     if lag is not None and not lag.is_measured and inputs.look is not None:
         measured = frame_function("lag")(inputs.imu, inputs.own, inputs.look)
         assert isinstance(measured, Synchronisation)
@@ -221,6 +225,54 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
         has_drift=lag is not None and lag.is_measured,
         offset_sigma_s=0.0 if lag is None else lag.sigma_s,
         lag=lag,
+    )
+
+
+def _corrected(inputs: SyncInput, own: ClockMap, lag: ClockLag) -> Synchronisation:
+    """A recorder's clock, whose constant taps correct, else the frames.
+
+    Taps are looked for near it only. Frames that are sure of another place contradict it.
+    """
+    reach_s = _NEAR_S + _MOST_SIGMAS * lag.sigma_s
+    found, unheard = _tried(by_pats, inputs._replace(near_s=reach_s))
+    unseen: InputError | None = None
+    if (found is None or not found.is_confident) and inputs.look is not None:
+        found, unseen = _tried(sync_method("frames").function(), inputs)
+    if found is None or not found.is_confident:
+        reasons: list[str] = [one.what for one in (unheard, unseen) if one is not None]
+        reasons += [found.frames.doubt] if found and found.frames else []
+        why = joined("; ", reasons or [NO_PATS])
+        lag = dataclasses.replace(lag, why=why)
+        return Synchronisation(own, "embedded", offset_sigma_s=lag.sigma_s, lag=lag)
+    middle_s = float(inputs.imu.time_s[len(inputs.imu) // 2])
+    off_s = own.offset_at(middle_s) - found.clock_map.offset_at(middle_s)
+    if abs(off_s) > reach_s:
+        return _contradicting(own, found, off_s)
+    sigma_s = max(found.offset_sigma_s, 0.0005)
+    lag = dataclasses.replace(
+        lag, measured_by=found.method, lag_s=off_s, sigma_s=sigma_s
+    )
+    clock = dataclasses.replace(found.clock_map, confidence=own.confidence)
+    return dataclasses.replace(found, clock_map=clock, method="embedded", lag=lag)
+
+
+def _contradicting(
+    own: ClockMap, found: Synchronisation, off_s: float
+) -> Synchronisation:
+    """A recorder's clock and frames that are sure of another place: a person decides."""
+    return Synchronisation(
+        dataclasses.replace(own, confidence=_CONTRADICTED),
+        "embedded",
+        second=found,
+        contradiction=Message(
+            "the frames place the motion {off_s:+.2f} s from where the recorder's clock "
+            "does",
+            off_s=-off_s,
+        ),
+        others=(
+            OtherPlace(Message("by the recorder's clock"), own.offset_s),
+            OtherPlace(Message("by the frames"), found.clock_map.offset_s),
+        ),
     )
 
 
@@ -248,7 +300,13 @@ def by_pats(inputs: SyncInput) -> Synchronisation:
 
     sound = _checked(inputs)
     events = sound_events(sound_onsets(sound.samples, sound.rate_hz))
-    found = synchronize_pats(inputs.imu, events)
+    near = (-math.inf, math.inf)
+    if inputs.near_s is not None and inputs.own is not None:
+        near = (
+            inputs.own.offset_s - inputs.near_s,
+            inputs.own.offset_s + inputs.near_s,
+        )
+    found = synchronize_pats(inputs.imu, events, near)
     if found is None:
         found = Synchronisation(ClockMap(confidence=0.0), "pats")
     return _without_skew(found, sound)

@@ -46,7 +46,9 @@ def late(apart: bool) -> Sampled:
     )
 
 
-@pytest.mark.parametrize("name", [one.name for one in formats.FORMATS])
+@pytest.mark.parametrize(
+    "name", [one.name for one in formats.FORMATS if one.name != "recorded"]
+)
 def test_clock_reads_zero_where_the_table_says(tmp_path, name):
     key, first_s = WRITTEN[name]
     one = FORMATS[key]

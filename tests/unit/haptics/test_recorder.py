@@ -17,8 +17,8 @@ from hapticplayer.haptics.record_reader import read_record
 from hapticplayer.haptics.recorder import (
     SYNC_PERIOD_S,
     LoopRecording,
-    Recorder,
     Status,
+    TickRecorder,
 )
 from hapticplayer.haptics.records import RecordWriter, open_record
 from hapticplayer.haptics.shared import BLOCK_BYTES, RING_TICKS, SharedBlock
@@ -118,7 +118,7 @@ def recording(ring, tmp_path):
     writer = CountingWriter(descriptor)
     writer.begin({})
     clock = ManualClock()
-    yield Recorder(clock, ring.block, writer), clock, writer, tmp_path / "record"
+    yield TickRecorder(clock, ring.block, writer), clock, writer, tmp_path / "record"
     os.close(descriptor)
 
 

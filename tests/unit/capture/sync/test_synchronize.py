@@ -5,7 +5,11 @@ import pytest
 from scipy.integrate import quad
 
 from hapticplayer.capture import synchronize
+from hapticplayer.capture.clock_lag import TAPS, stamped_here
 from hapticplayer.capture.sync import events, fit
+from hapticplayer.capture.sync import synchronize as synchronizing
+from hapticplayer.capture.sync.methods import SyncMethod
+from hapticplayer.capture.sync.result import ClipSound, Synchronisation, SyncInput
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 from tests.material.sync_clips import simulate_pats
@@ -227,3 +231,44 @@ def test_a_result_describes_itself_in_plain_values():
     assert described["confidence"] > 0.9
     lower = dataclasses.replace(found.clock_map, confidence=0.2)
     assert not dataclasses.replace(found, clock_map=lower).is_confident
+
+
+def by_recorder(imu, sound, own, look=None):
+    """A log whose clock a recorder here knows, but for 5 ms."""
+    inputs = SyncInput(
+        imu, lambda: ClipSound(sound), own=own, look=look, lag=stamped_here(0.005)
+    )
+    return synchronizing.automatic(inputs)
+
+
+@pytest.mark.parametrize("off_s", [-0.03, 0.0, 0.08])
+def test_taps_correct_the_clock_of_a_recorder(rng, off_s):
+    imu, sound = tapped(PATS_S, 200, off_s, rng), thumps(PATS_S, rng)
+    found = by_recorder(imu, sound, ClockMap())
+    assert found.is_confident
+    assert found.method == "embedded"
+    assert found.clock_map.offset_s == pytest.approx(off_s, abs=0.002)
+    assert found.lag.measured_by == TAPS
+    assert found.lag.lag_s == pytest.approx(-off_s, abs=0.002)
+    assert "taps" in found.lag.text
+
+
+def test_taps_far_from_the_clock_of_a_recorder_are_other_knocks(rng):
+    imu, sound = tapped(PATS_S, 200, 2.5, rng), thumps(np.add(PATS_S, 2.5), rng)
+    found = by_recorder(imu, sound, ClockMap(residual_s=0.005))
+    assert found.is_confident
+    assert found.clock_map == ClockMap(residual_s=0.005)
+    assert not found.lag.is_measured
+    assert "known to about 5 ms; taps and frames could not" in found.lag.text
+
+
+def test_frames_that_contradict_the_clock_of_a_recorder_ask(rng, monkeypatch):
+    frames = Synchronisation(ClockMap(2.5, 1.0, 0.0, 0.99), "frames")
+    row = SyncMethod("frames", "frames", "somewhere")
+    monkeypatch.setattr(SyncMethod, "function", lambda _row: lambda _inputs: frames)
+    monkeypatch.setattr(synchronizing, "sync_method", lambda _name: row)
+    sound = np.zeros(16_000, np.float32)
+    found = by_recorder(tapped((), 200, 0.0, rng), sound, ClockMap(), lambda: None)
+    assert not found.is_confident
+    assert "+2.50 s from where the recorder's clock does" in found.contradiction
+    assert [one.offset_s for one in found.others] == [0.0, 2.5]

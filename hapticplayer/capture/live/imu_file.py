@@ -1,0 +1,92 @@
+"""Writes what a live source measures into `imu.csv`, row by row."""
+
+import os
+from collections import deque
+from pathlib import Path
+
+import numpy as np
+
+from hapticplayer.capture.live.source import LiveSource, OpenedSource, Samples
+from hapticplayer.capture.live.source_clock import SourceClock
+from hapticplayer.capture.mounting import AS_RECORDED
+from hapticplayer.capture.recorded import COLUMNS, SourceClockLine, line_of
+from hapticplayer.model.arrays import Floats
+
+SHOWN_S = 10.0
+"""That a window can show."""
+
+_FORMAT = ",".join(["%.9f", *["%.9g"] * (len(COLUMNS) - 2), "%.6f"]) + "\n"
+_MOST_SHOWN = 500  # reads
+
+
+class ImuFile:
+    """A source, its log and its clock.
+
+    Times in the file begin at the first stamp; the last column is the arrival in media
+    time. Samples are turned into frame A by the axes that the source declares.
+
+    Args:
+        path: of the new file.
+        source: an open one.
+        zero_s: monotonic time of media time 0.
+    """
+
+    def __init__(self, path: Path, source: LiveSource, zero_s: float) -> None:
+        self._source, self._zero_s = source, zero_s
+        self._clock, self._axes, self.stamped_by = SourceClock(), AS_RECORDED, "source"
+        if isinstance(source, OpenedSource):
+            self._clock, self._axes = source.new_clock(), source.declares.axes
+            self.stamped_by = "source" if source.row.has_stamps else "count"
+        self._file = path.open("xb")
+        self._file.write((",".join(COLUMNS) + "\n").encode())
+        self._origin_s: float | None = None
+        self._last_s = 0.0
+        self._shown: deque[Floats] = deque(maxlen=_MOST_SHOWN)
+
+    def read(self, timeout_s: float) -> Floats:
+        """Write what comes until then; its media times (n,) as they are known now."""
+        samples = self._source.read(timeout_s).in_frame_a(self._axes)
+        if not len(samples.stamp_s):
+            return samples.stamp_s
+        if self._origin_s is None:
+            self._origin_s = float(samples.stamp_s[0])
+        time_s = samples.stamp_s - self._origin_s
+        arrival_s = samples.arrival_s - self._zero_s
+        self._clock.add(time_s, arrival_s)
+        self._last_s = float(time_s[-1])
+        self._write(time_s, samples, arrival_s)
+        media_s = np.asarray(self._clock.host_s(time_s))
+        self._show(media_s, samples)
+        return media_s
+
+    def _write(self, time_s: Floats, samples: Samples, arrival_s: Floats) -> None:
+        rows = np.column_stack(
+            [time_s, samples.accel_mps2, samples.rate_radps, arrival_s]
+        )
+        text = "".join(_FORMAT % tuple(row) for row in rows.tolist())
+        self._file.write(text.replace("nan", "").encode())
+        self._file.flush()  # it outlives this process, whatever ends that
+
+    def _show(self, media_s: Floats, samples: Samples) -> None:
+        self._shown.append(
+            np.column_stack([media_s, samples.accel_mps2, samples.rate_radps])
+        )
+        while self._shown[0][-1, 0] < media_s[-1] - SHOWN_S:
+            self._shown.popleft()
+
+    def shown(self) -> Floats:
+        """Media time, acceleration and rate of the last seconds, (n, 7)."""
+        parts = list(self._shown)
+        return np.concatenate(parts) if parts else np.empty((0, 7))
+
+    def line(self) -> SourceClockLine | None:
+        """From times in the file to media time, as far as it is known."""
+        return line_of(self._clock, (0.0, self._last_s)) if self._last_s else None
+
+    def sync(self) -> None:
+        """Put it on disk."""
+        os.fdatasync(self._file.fileno())
+
+    def close(self) -> None:
+        self._source.close()
+        self._file.close()

@@ -1,0 +1,433 @@
+"""Records camera, microphone and IMU on one machine's clock, into a folder.
+
+Each has a thread; another one looks after them: what is on disk, what is silent, what is
+left of the disk. What fails is told and marked, and the rest goes on.
+"""
+
+import contextlib
+import os
+import shutil
+import threading
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.capture.live.imu_file import ImuFile
+from hapticplayer.capture.live.source import LiveSource
+from hapticplayer.capture.live.stream_watch import StreamWatch
+from hapticplayer.capture.recorded import CLIP, LOG, Gap, Stream, Take
+from hapticplayer.clock import Clock, utc_now_iso
+from hapticplayer.errors import (
+    HapticPlayerError,
+    MediaError,
+    Message,
+    UsageError,
+    message_of,
+)
+from hapticplayer.media.live_clip import LiveClip, first_shown
+from hapticplayer.media.live_input import CAMERAS, MICROPHONES, Live, LiveInput
+from hapticplayer.model.arrays import Floats
+from hapticplayer.storage import (
+    FOLDER,
+    StorageError,
+    lock_folder,
+    refuse_existing,
+    sync_folder,
+)
+
+LOW_BYTES = 500 << 20
+"""Of free disk, below which a person is told."""
+
+_LOOK_S, _SYNC_S, _DESCRIBE_S, _JOIN_S = 0.1, 1.0, 5.0, 3.0
+_CAMERA_STALL_S, _SOURCE_STALL_S, _SOUND_STALL_S = 1.0, 0.5, 1.0
+_READ_S, _SHOWN_FOR_S = 0.1, 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecorderState:
+    """A recording now.
+
+    Attributes:
+        elapsed_s: media time.
+        frame: (h, w, 3) uint8 RGB, small; None without a camera.
+        level_db: peak of the microphone, full scale is 0; None without one.
+        time_s: (n,) media times of the last seconds of the IMU.
+        accel_mps2: (n, 3), in frame A as far as its axes are known.
+        rate_radps: (n, 3).
+        camera_hz: as measured, like `imu_hz`.
+        frames: written.
+        dropped_frames: missing by their stamps, or broken.
+        samples: written.
+        dropped_samples: missing by their stamps.
+        gaps: the longer ones, of all streams.
+        marks_s: media times.
+        free_bytes: of the disk.
+        notices: what a person should know, in order.
+        is_over: nothing is recorded any more, although nobody stopped it.
+    """
+
+    elapsed_s: float
+    frame: NDArray[np.uint8] | None
+    level_db: float | None
+    time_s: Floats
+    accel_mps2: Floats
+    rate_radps: Floats
+    camera_hz: float
+    imu_hz: float
+    frames: int
+    dropped_frames: int
+    samples: int
+    dropped_samples: int
+    gaps: tuple[Gap, ...]
+    marks_s: tuple[float, ...]
+    free_bytes: int
+    notices: tuple[Message, ...]
+    is_over: bool
+
+
+class Recorder:
+    """Camera, microphone and source, each optional, into a new folder.
+
+    Args:
+        folder: must not exist.
+        camera: name for `LiveInput`, or None.
+        audio: name of the microphone, or None; needs a camera.
+        source: an open IMU, or None; it is closed at the end.
+        clock: the machine's.
+        source_name: as a person gave it.
+        mounting: of the IMU on the actor, as `--mounting` of an import; "" if not known.
+    """
+
+    def __init__(  # noqa: PLR0913 - three streams, one folder
+        self,
+        folder: str | os.PathLike[str],
+        camera: str | None,
+        audio: str | None,
+        source: LiveSource | None,
+        clock: Clock,
+        *,
+        source_name: str = "",
+        mounting: str = "",
+    ) -> None:
+        if camera is None and source is None:
+            raise UsageError("nothing is recorded; give a camera, an IMU, or both")
+        if camera is None and audio is not None:
+            raise UsageError("sound is recorded with a camera; give one (--camera)")
+        self.folder, self._clock, self._mounting = Path(folder), clock, mounting
+        self._names = camera, audio, source_name
+        self._source = source
+        self._camera: LiveInput | None = None
+        self._microphone: LiveInput | None = None
+        self._clip: LiveClip | None = None
+        self._log: ImuFile | None = None
+        self._film = StreamWatch("camera", _CAMERA_STALL_S)
+        self._sound = StreamWatch("microphone", _SOUND_STALL_S)
+        self._motion = StreamWatch("imu", _SOURCE_STALL_S)
+        self._stopping = threading.Event()
+        self._threads: dict[str, threading.Thread] = {}
+        self._over: set[str] = set()
+        self._silent: set[str] = set()
+        self._notices: list[Message] = []
+        self._marks_s: list[float] = []
+        self._zero_s, self._began, self._shown_until_s = 0.0, "", 0.0
+        self._lock: int | None = None
+        self._is_damaged = self._is_low = False
+
+    def start(self) -> None:
+        """Open the devices, make the folder, and record.
+
+        Raises:
+            InputError: when something cannot be opened; no folder is left.
+        """
+        refuse_existing(self.folder, FOLDER)
+        with contextlib.ExitStack() as undo:
+            if self._source is not None:
+                undo.callback(self._source.close)
+            filmed = self._open(undo)
+            self._make_folder()
+            if self._source is not None:
+                self._log = ImuFile(self.folder / LOG, self._source, self._zero_s)
+            if self._camera is not None:
+                self._clip = LiveClip(
+                    self.folder / CLIP, self._camera, self._microphone, self._zero_s
+                )
+            undo.pop_all()
+        if filmed is not None:
+            self._run("camera", lambda: self._record_camera(*filmed))
+        if self._microphone is not None:
+            self._run("microphone", self._record_sound)
+        if self._log is not None:
+            self._run("imu", self._record_source)
+        self._run("", self._look_after)
+
+    def _open(self, undo: contextlib.ExitStack) -> tuple[Live, Iterator[Live]] | None:
+        """Open camera and microphone; the first frame is media time 0."""
+        camera, audio, _ = self._names
+        self._zero_s = self._clock.now_s()
+        if audio is not None:
+            self._microphone = LiveInput(audio, MICROPHONES, self._clock)
+            undo.callback(self._microphone.close)
+        if camera is None:
+            return None
+        self._camera = LiveInput(camera, CAMERAS, self._clock)
+        undo.callback(self._camera.close)
+        frames = self._camera.packets()
+        first = first_shown(self._camera, frames)
+        self._zero_s = first.host_s
+        return first, frames
+
+    def _make_folder(self) -> None:
+        self._began = utc_now_iso()
+        try:
+            self.folder.mkdir(parents=True)
+        except OSError as problem:
+            raise StorageError.of(problem, self.folder) from problem
+        self._lock = lock_folder(self.folder)
+        self._description().write(self.folder)
+
+    def _run(self, name: str, record: Callable[[], None]) -> None:
+        """Run a thread; what ends it before the stop is told."""
+
+        def until_it_ends() -> None:
+            try:
+                record()
+            except HapticPlayerError as problem:
+                self._is_damaged |= _is_of_writing(problem, self.folder)
+                self._tell(message_of(problem))
+            except OSError as problem:
+                self._is_damaged = True
+                self._tell(message_of(StorageError.of(problem, self.folder)))
+            finally:
+                self._over.add(name)
+
+        thread = threading.Thread(
+            target=until_it_ends, name=f"record-{name or 'watch'}", daemon=True
+        )
+        self._threads[name] = thread
+        thread.start()
+
+    def _tell(self, what: Message) -> None:
+        if not self._stopping.is_set():
+            at_s = self._elapsed_s()
+            self._notices.append(Message("{at_s:.1f} s: {what}", at_s=at_s, what=what))
+
+    def _elapsed_s(self) -> float:
+        return self._clock.now_s() - self._zero_s
+
+    def _record_camera(self, first: Live, others: Iterator[Live]) -> None:
+        assert self._camera is not None
+        try:
+            self._add_frame(first)
+            for live in others:
+                self._add_frame(live)
+                if self._stopping.is_set():
+                    return
+        finally:
+            self._camera.close()
+
+    def _add_frame(self, live: Live) -> None:
+        assert self._clip is not None
+        now_s = self._clock.now_s()
+        if self._clip.add(live, is_shown=now_s < self._shown_until_s):
+            at_s = np.array([live.host_s - self._zero_s])
+            self._film.take(at_s, now_s - self._zero_s)
+        else:
+            self._film.drop()
+
+    def _record_sound(self) -> None:
+        assert self._clip is not None
+        assert self._microphone is not None
+        try:
+            for live in self._microphone.packets():
+                if self._stopping.is_set():
+                    return
+                self._clip.add_sound(live)
+                self._sound.take(
+                    np.array([live.host_s - self._zero_s]), self._elapsed_s()
+                )
+        finally:
+            self._microphone.close()
+
+    def _record_source(self) -> None:
+        assert self._log is not None
+        try:
+            while not self._stopping.is_set():
+                media_s = self._log.read(_READ_S)
+                if len(media_s):
+                    self._motion.take(media_s, self._elapsed_s())
+        finally:
+            self._log.close()
+
+    def _watches(self) -> Iterator[StreamWatch]:
+        for watch in (self._film, self._sound, self._motion):
+            if watch.name in self._threads:
+                yield watch
+
+    def _look_after(self) -> None:
+        synced_s = described_s = self._clock.now_s()
+        while not self._stopping.wait(_LOOK_S):
+            now_s = self._clock.now_s()
+            self._tell_of_silence()
+            if now_s - synced_s >= _SYNC_S:
+                synced_s = now_s
+                self._sync()
+                self._tell_of_disk()
+            if now_s - described_s >= _DESCRIBE_S:
+                described_s = now_s
+                self._describe()
+
+    def _tell_of_silence(self) -> None:
+        for watch in self._watches():
+            if watch.name in self._over:
+                continue
+            if watch.stalls(self._elapsed_s()):
+                self._silent.add(watch.name)
+                self._tell(
+                    Message(
+                        "{stream}: nothing for {stall_s:.1f} s (check the cable, or wake "
+                        "the phone up); the rest goes on",
+                        stream=watch.name,
+                        stall_s=watch.stall_s,
+                    )
+                )
+            elif watch.name in self._silent and not watch.is_stalled:
+                self._silent.discard(watch.name)
+                self._tell(Message("{stream}: is back", stream=watch.name))
+
+    def _tell_of_disk(self) -> None:
+        free_bytes = self._free_bytes()
+        if free_bytes < LOW_BYTES and not self._is_low:
+            self._is_low = True
+            self._tell(
+                Message(
+                    "only {free_mb} MB of the disk are free", free_mb=free_bytes >> 20
+                )
+            )
+
+    def _free_bytes(self) -> int:
+        place = self.folder if self.folder.exists() else self.folder.absolute().parent
+        return shutil.disk_usage(place).free
+
+    def _sync(self) -> None:
+        """Put what was written on disk, should the power fail."""
+        if self._log is not None and "imu" not in self._over:
+            self._log.sync()
+        if self._clip is not None:
+            sync_folder(self._clip.path)
+
+    def _describe(self, *, is_finished: bool = False) -> None:
+        try:
+            self._description(is_finished=is_finished).write(self.folder)
+        except StorageError as problem:
+            self._is_damaged = True
+            self._tell(message_of(problem))
+
+    def _description(self, *, is_finished: bool = False) -> Take:
+        camera, audio, source = self._names
+        film, sound, motion = self._film, self._sound, self._motion
+        return Take(
+            began=self._began,
+            is_finished=is_finished,
+            camera=self._stream(camera, self._camera, film),
+            microphone=self._stream(
+                audio,
+                self._microphone,
+                sound,
+                self._clip.sound.residual_s if self._clip and self._clip.sound else 0.0,
+            ),
+            imu=None
+            if self._source is None
+            else Stream(
+                source,
+                self._log.stamped_by if self._log else "source",
+                0.0,
+                motion.count,
+                motion.dropped,
+            ),
+            clock=self._log.line() if self._log else None,
+            mounting=self._mounting,
+            marks_s=list(self._marks_s),
+            gaps=self._gaps(),
+            notices=[str(one) for one in self._notices],
+        )
+
+    @staticmethod
+    def _stream(
+        name: str | None,
+        device: LiveInput | None,
+        watch: StreamWatch,
+        residual_s: float = 0.0,
+    ) -> Stream | None:
+        if name is None or device is None:
+            return None
+        dropped = watch.dropped + device.undated
+        return Stream(name, device.clock_name, residual_s, watch.count, dropped)
+
+    def _gaps(self) -> list[Gap]:
+        return sorted(
+            (gap for watch in self._watches() for gap in watch.gaps),
+            key=lambda gap: gap.begin_s,
+        )
+
+    def mark(self) -> float:
+        """Mark this moment; its media time."""
+        at_s = round(self._elapsed_s(), 3)
+        self._marks_s.append(at_s)
+        return at_s
+
+    def stop(self) -> Path:
+        """End all streams and write the description; the folder."""
+        if self._stopping.is_set():
+            return self.folder
+        end_s = self._elapsed_s()
+        self._stopping.set()
+        for thread in self._threads.values():
+            thread.join(_JOIN_S)
+        for watch in self._watches():
+            watch.end(end_s)
+        if self._clip is not None:
+            try:
+                self._clip.close()
+            except MediaError as problem:
+                self._is_damaged = True
+                self._notices.append(message_of(problem))
+        self._describe(is_finished=not self._is_damaged)
+        if self._lock is not None:
+            os.close(self._lock)
+        return self.folder
+
+    def snapshot(self, *, with_frame: bool = True) -> RecorderState:
+        """What a window or a terminal shows of it."""
+        if with_frame:
+            self._shown_until_s = self._clock.now_s() + _SHOWN_FOR_S
+        clip, film, motion = self._clip, self._film, self._motion
+        undated = self._camera.undated if self._camera else 0
+        shown = self._log.shown() if self._log else np.empty((0, 7))
+        return RecorderState(
+            elapsed_s=self._elapsed_s(),
+            frame=clip.shown() if clip and with_frame else None,
+            level_db=clip.sound.level_db if clip and clip.sound else None,
+            time_s=shown[:, 0],
+            accel_mps2=shown[:, 1:4],
+            rate_radps=shown[:, 4:7],
+            camera_hz=film.rate_hz,
+            imu_hz=motion.rate_hz,
+            frames=film.count,
+            dropped_frames=film.dropped + undated,
+            samples=motion.count,
+            dropped_samples=motion.dropped,
+            gaps=tuple(self._gaps()),
+            marks_s=tuple(self._marks_s),
+            free_bytes=self._free_bytes(),
+            notices=tuple(self._notices),
+            is_over=self._over >= {name for name in self._threads if name},
+        )
+
+
+def _is_of_writing(problem: HapticPlayerError, folder: Path) -> bool:
+    """Whether the folder failed, not a device."""
+    where = getattr(problem, "where", "") or ""
+    return isinstance(problem, StorageError) or where.startswith(str(folder))

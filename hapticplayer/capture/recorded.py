@@ -1,0 +1,253 @@
+"""Recordings made here: a folder with `recording.json`, the clip and `imu.csv`.
+
+Camera, microphone and IMU are stamped by one machine, so the place of the log in the clip is
+known but for a residual, which taps or frames correct. A recorder that was killed leaves
+both streams; `finished` makes an ordinary recording of them.
+"""
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated, Any, NamedTuple
+
+import msgspec
+import numpy as np
+from msgspec import Meta, Struct
+
+from hapticplayer.capture import si_csv
+from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.clock_lag import stamped_here
+from hapticplayer.capture.csv_table import LOG_COLUMNS
+from hapticplayer.capture.formats import Confidence, Reader
+from hapticplayer.capture.recording import Recording
+from hapticplayer.capture.si_csv import RECORDING
+from hapticplayer.capture.source import LogSource
+from hapticplayer.errors import InputError, Message, shell_line
+from hapticplayer.media.remux import MATROSKA, remux
+from hapticplayer.model import ClockMap
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_CSV_BYTES
+from hapticplayer.storage import file_replaced, lock_folder, replace_json
+from hapticplayer.structures import MAX_JSON_BYTES, check_schema, convert, decode
+from hapticplayer.untrusted import read_regular
+
+CLIP, LOG = "clip.mkv", "imu.csv"
+COLUMNS = (*LOG_COLUMNS, si_csv.ARRIVAL)
+
+_SCHEMA, _VERSION = "hapticplayer.recording", 1
+_OTHER = Message("is not a recording"), Message("choose the folder of a recording")
+_MOST_GAPS = 1000
+_Seconds = Annotated[float, Meta(ge=-1e7, le=1e7)]
+_Residual = Annotated[float, Meta(ge=0.0, le=60.0)]
+
+
+class Gap(Struct, frozen=True):
+    """Media times between which a stream delivered nothing."""
+
+    stream: str
+    begin_s: _Seconds
+    end_s: _Seconds
+    missing: int = 0
+
+
+class SourceClockLine(Struct, frozen=True):
+    """Times of `imu.csv` to media time: rate * time + offset."""
+
+    offset_s: _Seconds
+    rate: Annotated[float, Meta(ge=0.9, le=1.1)] = 1.0
+    residual_s: _Residual = 0.0
+
+
+class Stream(Struct, frozen=True):
+    """What one of the three delivered, and how far its stamps are from a line.
+
+    Attributes:
+        name: as a person gave it.
+        stamped_by: "monotonic" or "wall", the machine's clocks; or "source".
+        residual_s: of its stamps on the machine's clock.
+        count: frames, sound blocks or samples.
+        dropped: how many are missing.
+    """
+
+    name: str
+    stamped_by: str
+    residual_s: _Residual = 0.0
+    count: int = 0
+    dropped: int = 0
+
+
+class Take(Struct, frozen=True, kw_only=True):
+    """What `recording.json` holds.
+
+    Attributes:
+        began: date and time, UTC.
+        is_finished: False while it is recorded, and after a kill.
+        mounting: of the IMU, as `--mounting`; "" where nobody said.
+        clock: of the IMU; None without one, and before enough is known.
+    """
+
+    schema: str = _SCHEMA
+    version: int = _VERSION
+    began: str
+    is_finished: bool = False
+    camera: Stream | None = None
+    microphone: Stream | None = None
+    imu: Stream | None = None
+    clock: SourceClockLine | None = None
+    mounting: str = ""
+    marks_s: list[_Seconds] = []
+    gaps: list[Gap] = []
+    notices: list[str] = []
+
+    def write(self, folder: Path) -> None:
+        kept = msgspec.structs.replace(self, gaps=self.gaps[:_MOST_GAPS])
+        replace_json(folder / RECORDING, msgspec.to_builtins(kept))
+
+
+class Parts(NamedTuple):
+    """What an import takes of a recording: its clip, and the log if there is one."""
+
+    clip: Path
+    log: Path | None
+    mounting: str
+
+
+def is_take(folder: Path) -> bool:
+    return (folder / RECORDING).is_file()
+
+
+def parts_of(folder: Path) -> Parts:
+    """The files of a recording, which is finished before if it was not."""
+    take = finished(folder)
+    if take.camera is None:
+        raise InputError(
+            "holds no video, only motion",
+            where=str(folder),
+            remedy=Message(
+                "import a video with {option}, or record with --camera",
+                option=shell_line("--imu", folder / LOG),
+            ),
+        )
+    return Parts(folder / CLIP, folder if take.imu else None, take.mounting)
+
+
+def read_take(folder: Path) -> Take:
+    path = folder / RECORDING
+    return _take_of(read_regular(path, MAX_JSON_BYTES, InputError), str(path))
+
+
+def _take_of(text: bytes, where: str) -> Take:
+    content = decode(text, dict[str, Any], where)
+    check_schema(content, (_SCHEMA, _VERSION), where, _OTHER)
+    return convert(content, Take, where)
+
+
+def finished(folder: Path) -> Take:
+    """The description of a recording; one that was killed gets its ends now.
+
+    Raises:
+        InputError: while it is recorded, or when nothing of it can be used.
+    """
+    take = read_take(folder)
+    if take.is_finished:
+        return take
+    with _not_recorded_now(folder):
+        changes: dict[str, Any] = {"is_finished": True}
+        if take.camera is not None:
+            _finish_clip(folder / CLIP)
+        if take.imu is not None:
+            pairs = _finish_log(folder / LOG)
+            changes |= {"clock": _line(pairs)} if len(pairs) > 1 else {"imu": None}
+        ended = "The recorder was ended from outside; this is what it had written."
+        changes["notices"] = [*take.notices, ended]
+        take = msgspec.structs.replace(take, **changes)
+        take.write(folder)
+    return take
+
+
+@contextmanager
+def _not_recorded_now(folder: Path) -> Iterator[None]:
+    lock = lock_folder(folder)
+    if lock is None:
+        raise InputError(
+            "is being recorded",
+            where=str(folder),
+            remedy="stop the recording first",
+        )
+    try:
+        yield
+    finally:
+        os.close(lock)
+
+
+def _finish_clip(clip: Path) -> None:
+    """Give it its length and its index."""
+    with file_replaced(clip) as part:
+        remux(clip, part, MATROSKA)
+
+
+def _finish_log(log: Path) -> Floats:
+    """Take the half of a row away; return times and arrivals (n, 2)."""
+    content = read_regular(log, MAX_CSV_BYTES, InputError)
+    end = content.rfind(b"\n") + 1
+    os.truncate(log, end)
+    rows = [row.split(b",") for row in content[:end].splitlines()[1:]]
+    return np.array([(row[0], row[-1]) for row in rows], dtype=np.float64)
+
+
+def _line(pairs: Floats) -> SourceClockLine:
+    from hapticplayer.capture.live.source_clock import SourceClock
+
+    clock = SourceClock()
+    clock.add(pairs[:, 0], pairs[:, 1])
+    return line_of(clock, (float(pairs[0, 0]), float(pairs[-1, 0])))
+
+
+def line_of(clock: Any, ends_s: tuple[float, float]) -> SourceClockLine:
+    """The line of a source's clock between two of its times."""
+    first_s, last_s = (float(one) for one in clock.host_s(np.array(ends_s)))
+    rate = (last_s - first_s) / max(1e-9, ends_s[1] - ends_s[0])
+    return SourceClockLine(first_s - rate * ends_s[0], rate, clock.residual_s)
+
+
+def recognises(source: LogSource) -> Confidence:
+    is_ours = {RECORDING, LOG} <= set(source.names)
+    return Confidence.CERTAIN if is_ours else Confidence.NO
+
+
+def read(source: LogSource, choices: LogChoices) -> Recording:
+    """The log, in media time."""
+    take = _take_of(source.text(RECORDING).encode(), source.where(RECORDING))
+    if take.clock is None:
+        raise InputError(
+            "was not finished",
+            where=str(source.path),
+            remedy=Message(
+                "finish it ({line})",
+                line=shell_line(
+                    "hapticplayer", "import", source.path, "-o", "SEQUENCE"
+                ),
+            ),
+        )
+    found = si_csv.read(source.alone(LOG), choices)
+    clock, imu = take.clock, found.imu
+    lag = stamped_here(clock.residual_s)
+    media_s = clock.rate * imu.time_s + clock.offset_s
+    return replace(
+        found,
+        imu=replace(imu, time_s=media_s, source=str(source.path)),
+        clock_map=ClockMap(0.0, 1.0, clock.residual_s, 1.0),
+        lag=lag,
+        camera=Message("recorded here"),
+        notes=(*found.notes, lag.text),
+        provenance={
+            **found.provenance,
+            "reader": Message("recorded here"),
+            "recording": msgspec.to_builtins(take),
+        },
+    )
+
+
+READER = Reader(recognises, read)
