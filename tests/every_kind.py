@@ -11,6 +11,7 @@ _MORE = {
     "number": {"least": -5, "most": 5, "unit": "kg"},
     "choice": {"choices": ("car", "bike")},
     "choices": {"choices": ("sea", "air", "land")},
+    "pair": {"least": -3, "most": 3, "labels": ((-3, "dull"), (3, "exciting"))},
     "text": {"most": 30, "required": False},
 }
 

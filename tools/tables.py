@@ -33,6 +33,7 @@ from hapticplayer.sequence.events import event_detectors
 from hapticplayer.sequence.presets import PRESETS
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.questions import ANSWER_KINDS
+from hapticplayer.study.scales import questions_of, read_scale, scale_names
 from hapticplayer.study.study_export import study_exporters
 from tools.media_tried import rows as media_tried_rows
 from tools.performance_page import RESULTS, result
@@ -169,6 +170,24 @@ def question_kinds() -> str:
         (
             (_code(kind.value), str(row.name).lower(), _code(*row.uses))
             for kind, row in ANSWER_KINDS.items()
+        ),
+    )
+
+
+def scales() -> str:
+    """Published scales."""
+    found = {name: read_scale(name) for name in scale_names()}
+    return table(
+        "scale | what | items | scores | wording",
+        (
+            (
+                _code(name),
+                one.name,
+                str(len(questions_of(one))),
+                _code(*(score["key"] for score in one.scores)) or "the answer",
+                ", ".join(one.wordings) or "bring yours",
+            )
+            for name, one in found.items()
         ),
     )
 
@@ -345,6 +364,7 @@ TABLES: dict[str, Callable[[], str]] = {
         presets,
         statistics,
         question_kinds,
+        scales,
         study_exports,
         force_formats,
         format_costs,

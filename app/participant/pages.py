@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 from app.participant.fitted_page import FittedPage, paragraph
 from app.participant.questions import (
     ROWS,
+    PairRow,
     QuestionRow,
     TextRow,
     digit_of,
@@ -109,9 +110,15 @@ class QuestionsPage(FittedPage):
             self.column.addWidget(row)
         self.next = Button(word("next"))
         set_role(self.next, "primary")
-        self.next.clicked.connect(self.finished)
+        self.next.clicked.connect(self._on_next)
         self.column.addStretch(1)
-        self.column.addLayout(row_of(STRETCH, self.next))
+        self._one_by_one = page.one_by_one
+        self.back, self.place = Button("\u25c0"), QLabel()
+        self.back.clicked.connect(lambda: self._step(-1))
+        aside = (self.back, self.place) if page.one_by_one else ()
+        self.column.addLayout(row_of(*aside, STRETCH, self.next))
+        if page.one_by_one:
+            self._go_to(0)
 
     def _replay_table(self, page: Page) -> QWidget:
         table = QWidget()
@@ -134,6 +141,13 @@ class QuestionsPage(FittedPage):
         for row in self.rows:
             if isinstance(row, TextRow):
                 row.set_font_size(font_px)
+        pairs = [row for row in self.rows if isinstance(row, PairRow)]
+        margins = self.column.contentsMargins()
+        room_px = self.width() - margins.left() - margins.right()
+        is_beside = all(row.fits_beside(room_px) for row in pairs)
+        for pair in pairs:  # all alike
+            pair.put_beside(is_beside=is_beside)
+        self.column.activate()
 
     def values(self) -> dict[str, Any]:
         """Return all answers, whatever they are."""
@@ -151,6 +165,7 @@ class QuestionsPage(FittedPage):
             is_it = row.asked.name == name
             row.show_missing(text if is_it else "")
             if is_it:
+                self._go_to(self.rows.index(row))
                 row.focus()
                 self.fit()
                 is_last = row is self.rows[-1]
@@ -167,9 +182,19 @@ class QuestionsPage(FittedPage):
         elif event.key() == Qt.Key.Key_Up:
             self._step(-1)
         elif event.key() in _ENTER:
-            self.finished.emit()
+            self._on_next()
         else:
             super().keyPressEvent(event)
+
+    def _on_next(self) -> None:
+        """Show the next question, or be done with the page."""
+        row = self.rows[self._current] if self._one_by_one else None
+        if row is None or row is self.rows[-1]:
+            self.finished.emit()
+        elif row.asked.question.required and row.value() in (None, "", []):
+            row.show_missing(self._word("missing"))
+        else:
+            self._step(1)
 
     def _step(self, by: int) -> None:
         number = min(max(0, self._current + by), len(self.rows) - 1)
@@ -186,7 +211,20 @@ class QuestionsPage(FittedPage):
         self._current = number
         for place, row in enumerate(self.rows):
             row.show_current(is_current=place == number)
+        if self._one_by_one:
+            self._show_alone(number)
         self.ensureWidgetVisible(self.rows[number])
+
+    def _show_alone(self, number: int) -> None:
+        shown = [row.isVisibleTo(self.body) for row in self.rows]
+        for place, row in enumerate(self.rows):
+            row.setVisible(place == number)
+        count = f"{number + 1} / {len(self.rows)}"
+        self.place.setText(count)
+        self.back.setAccessibleName(f"{number} / {len(self.rows)}")
+        self.back.setEnabled(number > 0)
+        if shown != [row.isVisibleTo(self.body) for row in self.rows]:
+            self.fit()
 
 
 _BUTTONS: dict[PageKind, tuple[str, ...]] = {

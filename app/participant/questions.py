@@ -1,5 +1,6 @@
 """Questions for mouse, touch and keys: digits answer, Enter continues."""
 
+import re
 from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
@@ -30,10 +31,13 @@ from hapticplayer.study.questions import kind_of, range_of
 TEXT_LINES = 2
 _BESIDE_PX = 14  # between a scale and the labels at its ends
 _BESIDE_LETTERS = 16  # a longer label has its place below
+_OF_PAIR = 3  # times as wide as a point
+_IN_A_LINE = 11  # points
 _ROW_LETTERS, _BUTTON_LETTERS = (
     60,
     5,
 )  # of a row of answers; of a button beside its text
+_NUMBERED = re.compile(r"(\d+)\b")
 _OFF, _ON = "\u2610 ", "\u2611 "
 
 
@@ -139,8 +143,12 @@ class ButtonsRow(QuestionRow):
             self.group.button(self._values.index(value)).setChecked(True)
 
     def _number_of(self, digit: int) -> int:
-        """Which answer a digit means: the first is 1."""
-        return digit - 1
+        """Which answer a digit means: its number if all begin with one, else its place."""
+        numbers = [_NUMBERED.match(text) for _, text in self.asked.options]
+        shown = [int(one[1]) for one in numbers if one]
+        if len(shown) < len(numbers):
+            return digit - 1
+        return shown.index(digit) if digit in shown else -1
 
     def take_digit(self, digit: int) -> bool:
         """Press the button of this number."""
@@ -167,9 +175,54 @@ class ScaleRow(ButtonsRow):
         return labelled(buttons, self.asked.labels, self._values)
 
     def _number_of(self, digit: int) -> int:
-        if self._values[0] < 0:
-            return super()._number_of(digit)
-        return digit - int(self._values[0])
+        is_negative = self._values[0] < 0
+        return digit - (1 if is_negative else int(self._values[0]))
+
+
+class PairRow(ScaleRow):
+    """Points between two opposites, which are the question."""
+
+    def _laid_out(self) -> QLayout:
+        self._grid = QGridLayout()
+        for number, button in enumerate(self.group.buttons()):
+            self._grid.addWidget(button, 1, 1 + number)
+            self._grid.setColumnStretch(1 + number, 1)
+        labels = self.asked.labels
+        self._ends = [QLabel(labels.get(self._values[at], "")) for at in (0, -1)]
+        for end in self._ends:
+            end.setTextFormat(Qt.TextFormat.PlainText)
+        self.put_beside(is_beside=True)
+        return self._grid
+
+    def fits_beside(self, width_px: int) -> bool:
+        """Whether a page has room for the opposites beside the points."""
+        wide_px = [one.minimumWidth() for one in self.group.buttons()]
+        wide_px += [end.sizeHint().width() for end in self._ends]
+        gaps_px = len(wide_px) * self._grid.horizontalSpacing()
+        return (
+            sum(wide_px) + gaps_px
+            <= width_px - 2 * self.column.contentsMargins().left()
+        )
+
+    def put_beside(self, *, is_beside: bool) -> None:
+        """Put the opposites beside the points, or above the first and the last."""
+        count, half = len(self._values), len(self._values) // 2
+        places = ((1, 0, 1, 1), (1, count + 1, 1, 1))
+        if not is_beside:
+            places = ((0, 1, 1, half), (0, count + 1 - half, 1, half))
+        align = Qt.AlignmentFlag
+        for end, place, is_last in zip(self._ends, places, (False, True), strict=True):
+            side = align.AlignLeft if is_last == is_beside else align.AlignRight
+            end.setAlignment(side | align.AlignVCenter)
+            self._grid.addWidget(end, *place)
+        for column in (0, count + 1):
+            self._grid.setColumnStretch(column, _OF_PAIR * is_beside)
+        self.column.activate()
+
+    def show_missing(self, text: str) -> None:
+        """Show the title only to say what is wrong."""
+        super().show_missing(text)
+        self.title.setVisible(bool(text or self.asked.heading))
 
 
 class ChoicesRow(ButtonsRow):
@@ -329,36 +382,39 @@ def labelled(
 ) -> QLayout:
     """Parts side by side with the labels of points: at both ends, or below.
 
+    Many parts have two lines, so that each is wide enough for a finger.
+
     Args:
         parts: one for each point, or one for all.
         labels: by point.
         points: from left to right.
     """
     first, last = labels.get(points[0], ""), labels.get(points[-1], "")
+    across = -(-len(points) // (1 + (len(parts) > _IN_A_LINE)))
     is_short = max(len(first), len(last)) <= _BESIDE_LETTERS
-    if is_short and labels.keys() <= {points[0], points[-1]}:
+    if is_short and across == len(points) and labels.keys() <= {points[0], points[-1]}:
         before = (QLabel(first), _BESIDE_PX) if first else ()
         after = (_BESIDE_PX, QLabel(last)) if last else ()
         return row_of(*before, *((part, 1) for part in parts), *after)
     grid = QGridLayout()
-    wide = max(2, len(points))  # columns
+    wide = max(2, across)  # columns
     for number, part in enumerate(parts):
         columns = 1 if len(parts) > 1 else wide
-        grid.addWidget(part, 0, number, 1, columns)
+        grid.addWidget(part, 2 * (number // across), number % across, 1, columns)
     is_of_ends = labels.keys() <= {points[0], points[-1]}
     for column in range(wide):
         grid.setColumnStretch(column, 1)
     for number, at in enumerate(points):
         if at in labels:
             line = paragraph(labels[at], centred=not is_of_ends)
-            half = wide // 2
+            row, half = 2 * (number // across) + 1, wide // 2
             if not is_of_ends:
-                grid.addWidget(line, 1, number)
+                grid.addWidget(line, row, number % across)
             elif number:
                 line.setAlignment(Qt.AlignmentFlag.AlignRight)
-                grid.addWidget(line, 1, wide - half, 1, half)
+                grid.addWidget(line, row, wide - half, 1, half)
             else:
-                grid.addWidget(line, 1, 0, 1, half)
+                grid.addWidget(line, row, 0, 1, half)
     return grid
 
 
@@ -369,6 +425,7 @@ ROWS: dict[QuestionKind, type[QuestionRow]] = {
     QuestionKind.YES_NO: ButtonsRow,
     QuestionKind.CHOICE: ButtonsRow,
     QuestionKind.CHOICES: ChoicesRow,
+    QuestionKind.PAIR: PairRow,
     QuestionKind.TEXT: TextRow,
 }
 """How each kind of question looks."""

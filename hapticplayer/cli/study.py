@@ -7,11 +7,12 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.cli import OpenWindow, study_analysis
+from hapticplayer.cli import OpenWindow, study_analysis, study_scales
 from hapticplayer.cli.common import add_outputs, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.study.creation import create_study, template_names
+from hapticplayer.study.definition_reader import to_be_worded
 from hapticplayer.study.merging import merge_sessions
 from hapticplayer.study.overview import (
     approve_texts,
@@ -42,6 +43,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     _add_merge(actions)
     _add_drop(actions)
     _add_delete(actions)
+    study_scales.add_actions(actions)
     study_analysis.add_actions(actions)
 
 
@@ -191,6 +193,10 @@ def new(options: argparse.Namespace) -> int:
         say(f"{options.study}: {report['conditions']} conditions; edit study.json")
     if missing:
         say_aside(f"no folder is known yet of the sequences {', '.join(missing)}")
+    if texts := list(to_be_worded(study.definition)):
+        say_aside(
+            f"{len(texts)} texts are to be written in study.json, the first is {texts[0]}"
+        )
     return 0
 
 
@@ -202,6 +208,7 @@ def status(options: argparse.Namespace) -> int:
         "conditions": len(study.definition.conditions),
         "method": study.definition.order.method.value,
         "missing_sequences": list(found.missing),
+        "to_be_worded": list(to_be_worded(study.definition)),
         "sessions": [
             {**asdict(one), "state": one.state.value, "invalid": len(one.invalid)}
             for one in found.sessions
@@ -242,6 +249,10 @@ def _status_text(report: dict[str, Any]) -> str:
     )
     if report["missing_sequences"]:
         lines.append(f"  missing    {', '.join(report['missing_sequences'])}")
+    if texts := report["to_be_worded"]:
+        lines.append(
+            f"  wording    {len(texts)} texts are to be written: {texts[0]} ..."
+        )
     if report["unreviewed_texts"]:
         lines.append(
             f"  review     {report['unreviewed_texts']} answers in words to be read"

@@ -89,7 +89,7 @@ def write_answers(
 
     Questions that the answers do not have are answered at random.
     """
-    found: dict[tuple[str, str, str], dict[str, int | None]] = {}
+    found: dict[tuple[str, str, str], dict[str, float | None]] = {}
     for one in answers.ratings:
         cell = found.setdefault((one.participant, one.sequence, one.feedback), {})
         cell[one.factor] = one.value

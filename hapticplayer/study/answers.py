@@ -20,7 +20,8 @@ from hapticplayer.study.definition import (
     TrialKind,
     When,
 )
-from hapticplayer.study.questions import kind_of, range_of
+from hapticplayer.study.score_answers import RatedAnswers, ScoreAnswers, collect_scores
+from hapticplayer.study.scoring import Limits, PageScores, Scoring
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import (
     AnsweredTrial,
@@ -43,7 +44,8 @@ class Rating:
         participant: code.
         sequence: key of the sequence in the definition.
         feedback: "realistic", "none", "random", or another of the definition's.
-        factor: "realism", "sensory", "comfort", "satisfaction", or the definition's own.
+        factor: "realism", "sensory", "comfort", "satisfaction", or the definition's own
+            question or score.
         value: on its scale; None where it is missing.
         is_valid: whether the playback that was rated was without a fault.
     """
@@ -52,7 +54,7 @@ class Rating:
     sequence: str
     feedback: str
     factor: str
-    value: int | None
+    value: float | None
     is_valid: bool
 
 
@@ -134,7 +136,8 @@ class Participant:
         used_device_before: whether the participant had used such a device.
         complete: whether the session was completed.
         simulated: whether the session was simulated.
-        values: answers to the questions before and after the clips, by name.
+        values: answers to the questions before and after the clips and their scores, by
+            name.
     """
 
     code: str
@@ -159,7 +162,8 @@ class Answers:
         ratings: by participant, then in order of the definition.
         sequences: keys.
         feedbacks: keys.
-        factors: keys of the questions after a clip whose answers are numbers.
+        factors: keys of what is compared: scores, and questions after a clip whose
+            answers are numbers and part of no score.
         open_answers: text answers.
         judgements: answers of consistency trials.
         repeated: ratings that were replaced by those of a repeated trial.
@@ -168,6 +172,7 @@ class Answers:
         ranges: least and most of factors, by key; 1 to 5 for others.
         qoe: the factors that are summed; None for all.
         others: answers that are counted.
+        scores: of scales.
     """
 
     participants: tuple[Participant, ...]
@@ -180,9 +185,10 @@ class Answers:
     repeated: int = 0
     notices: tuple[str, ...] = ()
     conduct: Conduct = field(default_factory=Conduct)
-    ranges: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    ranges: Mapping[str, Limits] = field(default_factory=dict)
     qoe: tuple[str, ...] | None = None
     others: tuple[AnswersTo, ...] = ()
+    scores: tuple[ScoreAnswers, ...] = ()
 
 
 def simulated_mark(participants: Sequence[Participant]) -> str:
@@ -215,8 +221,8 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
     notices += _session_notices(sessions)
     sessions = [s for s in sessions if any(answered_trials(s.records))]
     definition = study.definition
-    collected = [_SessionAnswers(session, definition, notices) for session in sessions]
-    factors = rated(definition)
+    rated = RatedAnswers(definition)
+    collected = [_SessionAnswers(one, definition, rated, notices) for one in sessions]
     trial_forces = {}
     for number, session in enumerate(sessions if progress else ()):
         assert progress is not None
@@ -228,34 +234,27 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         ratings=tuple(r for one in collected for r in one.ratings()),
         sequences=tuple(s.key for s in definition.sequences),
         feedbacks=definition.feedback_keys,
-        factors=tuple(q.key for q in factors),
+        factors=tuple(rated.ranges),
         open_answers=tuple(a for one in collected for a in one.open_answers()),
         judgements=tuple(j for one in collected for j in one.judgements()),
-        repeated=sum(one.repeated for one in collected) * len(factors),
+        repeated=sum(one.repeated for one in collected) * len(rated.ranges),
         notices=tuple(notices),
         conduct=conduct_of(definition, sessions, trial_forces),
-        ranges={q.key: found for q in factors if (found := range_of(q))},
-        qoe=tuple(q.key for q in factors if q.in_qoe),
+        ranges=rated.ranges,
+        qoe=rated.qoe,
         others=tuple(_others(definition, collected)),
+        scores=tuple(collect_scores(definition, [one.numbers for one in collected])),
     )
-
-
-def rated(definition: Definition) -> tuple[Question, ...]:
-    """The questions that feedbacks are compared by: those answered by a number."""
-    if definition.trial is not TrialKind.RATING:
-        return ()
-    asked = definition.questions_at(When.AFTER_CLIP)
-    return tuple(q for q in asked if kind_of(q).is_measured)
 
 
 def _others(
     definition: Definition, collected: Sequence["_SessionAnswers"]
 ) -> Iterator[AnswersTo]:
     """Yield the answers that are counted, in the order of the definition."""
-    analysed = [*rated(definition)]
+    keys = {*RatedAnswers(definition).ranges}
+    keys |= {key for page in definition.pages for key in PageScores(page).items}
     if definition.trial is TrialKind.CONSISTENCY and definition.judgement:
-        analysed.append(definition.judgement)
-    keys = {asked.key for asked in analysed}
+        keys.add(definition.judgement.key)
     language, feedbacks = definition.languages[0], definition.feedback_keys
     for when in When:
         for asked in definition.questions_at(when):
@@ -303,6 +302,7 @@ class _SessionAnswers:
     Args:
         session: as stored.
         definition: the current one of the study, which gives names and order.
+        rated: of that definition.
         notices: list to which a sentence is added for each trial that is left out.
 
     Attributes:
@@ -310,9 +310,14 @@ class _SessionAnswers:
     """
 
     def __init__(
-        self, session: StoredSession, definition: Definition, notices: list[str]
+        self,
+        session: StoredSession,
+        definition: Definition,
+        rated: RatedAnswers,
+        notices: list[str],
     ) -> None:
         self._session, self._definition = session, definition
+        self._rated = rated
         self._values: dict[str, Any] = {}
         for page in session.definition.pages:
             if page.when is not When.AFTER_CLIP:
@@ -346,7 +351,7 @@ class _SessionAnswers:
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
             complete=self._session.state is SessionState.COMPLETE,
             simulated=is_simulated(self._session),
-            values=sheet,
+            values=Scoring(self._definition, When.BEFORE, When.AFTER).completed(sheet),
         )
 
     def given(self, asked: Question, feedback: str) -> Iterator[Any]:
@@ -364,16 +369,26 @@ class _SessionAnswers:
         """Yield a rating for each condition and factor."""
         for condition in self._definition.conditions:
             trial = self._trials.get(condition)
-            for question in rated(self._definition):
-                value = trial.values.get(question.key) if trial else None
-                yield Rating(
-                    self._session.code,
-                    condition.sequence,
-                    condition.feedback,
-                    question.key,
-                    value if kind_of(question).allows(value) else None,
-                    trial.is_valid if trial else True,
-                )
+            is_valid = trial.is_valid if trial else True
+            numbers = self._rated.of(trial.values if trial else {})
+            for key, value in numbers.items():
+                of = condition.sequence, condition.feedback, key
+                yield Rating(self._session.code, *of, value, is_valid)
+
+    def numbers(self, page: PageScores, feedback: str) -> dict[str, float | None]:
+        """What the answers to a page count as; after clips the mean of valid ones."""
+        if not feedback:
+            return page.numbers(self._values)
+        rows = [
+            page.numbers(trial.values)
+            for condition, trial in self._trials.items()
+            if condition.feedback == feedback and trial.is_valid
+        ]
+        found: dict[str, float | None] = {}
+        for key in page.numbers({}):
+            given = [one for row in rows if (one := row[key]) is not None]
+            found[key] = sum(given) / len(given) if given else None
+        return found
 
     def judgements(self) -> Iterator[Judgement]:
         """Yield a judgement for each condition."""

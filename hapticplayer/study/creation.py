@@ -11,16 +11,15 @@ import msgspec
 
 from hapticplayer import storage
 from hapticplayer.errors import Message, StudyError, UsageError, entry_named
-from hapticplayer.installation import shipped
 from hapticplayer.rendering import chosen_feedback
 from hapticplayer.storage import json_text
-from hapticplayer.study.definition import StudyFeedback, read_file
+from hapticplayer.study.definition import StudyFeedback, When, read_file
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.plan import LETTERS
+from hapticplayer.study.scales import TEMPLATES, page_of_scale, scale_names
 from hapticplayer.study.sequence_folders import refuse_estimates
 from hapticplayer.study.study_folder import Study, open_study
 
-TEMPLATES = shipped("resources/studies")
 _ID_LETTERS = 10
 _KEY_OF = re.compile(r"(?:([a-z0-9_-]+)=)?(.*)", re.DOTALL)
 
@@ -123,12 +122,19 @@ def new_definition(
 def with_languages(content: dict[str, Any], languages: Sequence[str]) -> dict[str, Any]:
     """The definition in these languages.
 
-    A text that lacks one has that of its template, else it is empty: to be written.
+    A text that lacks one has that of its template or scale, else it is empty: to be
+    written.
     """
     try:
         template = _template(content["template"])
     except UsageError:
-        template = {}
+        template = {"pages": []}
+    of_scales = [
+        page_of_scale(page["scale"], page["key"], page["when"], languages)
+        for page in content["pages"]
+        if page.get("scale") in scale_names()
+    ]
+    template["pages"] = [*template["pages"], *of_scales]
     before = set(content["languages"])
 
     def changed(part: Any, old: Any) -> Any:
@@ -198,8 +204,23 @@ def _template(name: str) -> dict[str, Any]:
         return content
     found = _template(base)
     pages = _by_key(found["pages"])
-    if "pages" in content:  # a page without questions is the one of the base
-        content["pages"] = [
-            one if "questions" in one else pages[one["key"]] for one in content["pages"]
-        ]
+
+    def whole(page: dict[str, Any]) -> dict[str, Any]:
+        """A page without questions is that of its scale, or the one of the base."""
+        if "questions" in page:
+            return page
+        if scale := page.get("scale"):
+            made = page_of_scale(scale, page["key"], page["when"], found["languages"])
+            return {**made, **page}
+        return dict(pages[page["key"]])
+
+    if "pages" in content:
+        content["pages"] = [whole(one) for one in content["pages"]]
     return {**found, **content}
+
+
+def add_scale(study: Study, name: str, key: str, when: When) -> Study:
+    """Add a page that asks a scale, after the other pages."""
+    content = json.loads(study.content)
+    page = page_of_scale(name, key, when, content["languages"])
+    return change_definition(study, {**content, "pages": [*content["pages"], page]})

@@ -64,6 +64,7 @@ class QuestionKind(enum.StrEnum):
     YES_NO = "yes-no"
     CHOICE = "choice"
     CHOICES = "choices"
+    PAIR = "pair"
     TEXT = "text"
 
 
@@ -104,10 +105,11 @@ class StudySequence(JsonObject, frozen=True):
 
 
 class AnswerOption(JsonObject, frozen=True):
-    """One of the answers that a question offers."""
+    """One of the answers that a question offers; it may count as a number."""
 
     key: Key
     text: Text
+    value: Whole | None = None
 
 
 class PointLabel(JsonObject, frozen=True):
@@ -129,7 +131,7 @@ class Question(JsonObject, frozen=True):
         least: smallest number, or first point of a SCALE.
         most: largest number, last point of a SCALE, or length of a text in characters.
         unit: of a number, in the data.
-        labels: of points of a SCALE or a VISUAL scale.
+        labels: of points of a SCALE or a VISUAL scale; both ends of a PAIR.
         choices: of CHOICE and CHOICES.
         for_each_feedback: asked once for "Feedback 1", "Feedback 2", ...
         in_qoe: whether it is part of the sum "qoe".
@@ -151,6 +153,38 @@ class Question(JsonObject, frozen=True):
     required: bool = True
 
 
+class ScoreRule(enum.StrEnum):
+    """What is made of several answers first."""
+
+    SUM = "sum"
+    MEAN = "mean"
+
+
+class Score(JsonObject, frozen=True):
+    """A number that follows from the answers of a page; `scoring` computes it.
+
+    Attributes:
+        key: in data and figures.
+        text: what it is, in English.
+        of: questions of the page, or scores before it; what is named twice counts twice.
+        by: what is made of them.
+        reversed: those of `of` that count from the other end of their range.
+        polynomial: c0, c1, c2 ...: the score is c0 + c1 x + c2 x^2 ... of the sum or mean x.
+        least_answered: of a mean, how many of `of` have to be answered; all if not given.
+    """
+
+    key: Key
+    text: Line
+    of: Some[Key]
+    by: ScoreRule
+    reversed: Several[Key] = ()
+    polynomial: Annotated[tuple[float, ...], Meta(min_length=1, max_length=8)] = (
+        0.0,
+        1.0,
+    )
+    least_answered: Annotated[int, Meta(ge=1, le=MAX_ITEMS)] | None = None
+
+
 class QuestionPage(JsonObject, frozen=True):
     """Questions that are shown together.
 
@@ -160,6 +194,9 @@ class QuestionPage(JsonObject, frozen=True):
         questions: in this order.
         text: above them.
         replays: whether all clips may be played again there.
+        scale: name of the scale that the questions are from; see `scales`.
+        scores: of the answers, in this order.
+        one_by_one: whether the questions are shown one after the other.
     """
 
     key: Key
@@ -167,6 +204,9 @@ class QuestionPage(JsonObject, frozen=True):
     questions: Some[Question]
     text: Text | None = None
     replays: bool = False
+    scale: Key | None = None
+    scores: Several[Score] = ()
+    one_by_one: bool = False
 
 
 class StudyFeedback(JsonObject, frozen=True):

@@ -1,5 +1,6 @@
 """Reads and checks `study.json`."""
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -30,8 +31,10 @@ from hapticplayer.study.definition import (
     refuse,
 )
 from hapticplayer.study.questions import OF_KINDS, Fault, kind_of
+from hapticplayer.study.scoring import faults_of_scores
 
 DEFINITION = "study.json"
+_TO_BE_WORDED = re.compile(r"\s*\u2039.*\u203a\s*", re.DOTALL)
 STEPS = ("consent", "demonstration", "end")
 """Of every session; the other ones are named after pages."""
 
@@ -45,6 +48,14 @@ def parse_definition(content: bytes, path: str) -> Definition:
     for field, what, remedy in faults_of(made):
         refuse(path, field, what, remedy)
     return made
+
+
+def to_be_worded(made: Definition) -> Iterator[str]:
+    """The fields of texts that only say what is to be written there, in \u2039 \u203a."""
+    for field, text in _texts(made):
+        for language, words in text.items():
+            if _TO_BE_WORDED.fullmatch(words):
+                yield f"{field}.{language}"
 
 
 def faults_of(made: Definition) -> Iterator[Fault]:
@@ -87,19 +98,26 @@ def _key_faults(made: Definition) -> Iterator[Fault]:
     yield from _alike("sequences", [one.key for one in made.sequences])
     yield from _alike("pages", [one.key for one in made.pages])
     taken: set[str] = set()
-    for field, _, asked in _questions(made):
-        if asked.key in taken:
-            what = Message("duplicate key {key!r}", key=asked.key)
-            yield f"{field}.key", what, _RENAME
-        taken.add(asked.key)
+    for field, key in _data_keys(made):
+        if key in taken:
+            yield f"{field}.key", Message("duplicate key {key!r}", key=key), _RENAME
+        taken.add(key)
+        if key == QOE:
+            what = Message("{key!r} is the name of the sum of questions", key=QOE)
+            yield f"{field}.key", what, _OTHER
     named = [(f"pages[{n}].key", page.key) for n, page in enumerate(made.pages)]
     for field, key in named:
         if key in STEPS or key.startswith("trial-"):
             yield field, Message("{key!r} is the name of another step", key=key), _OTHER
+
+
+def _data_keys(made: Definition) -> Iterator[tuple[str, str]]:
+    """Yield the place and name of all that is a column of the data."""
     for field, _, asked in _questions(made):
-        if asked.key == QOE:
-            what = Message("{key!r} is the name of the sum of questions", key=QOE)
-            yield f"{field}.key", what, _OTHER
+        yield field, asked.key
+    for number, page in enumerate(made.pages):
+        for place, score in enumerate(page.scores):
+            yield f"pages[{number}].scores[{place}]", score.key
 
 
 def _alike(field: str, keys: Sequence[str], place: str = ".key") -> Iterator[Fault]:
@@ -171,6 +189,9 @@ def _question_faults(made: Definition) -> Iterator[Fault]:
         for name, what, remedy in kind_of(asked).faults():
             yield f"{field}.{name}", what, remedy
         yield from _unused_in(field, when, asked)
+    for number, page in enumerate(made.pages):
+        for name, what, remedy in faults_of_scores(page):
+            yield f"pages[{number}].{name}", what, remedy
 
 
 _RENAME, _OTHER = Message("rename one of them"), Message("choose another key")

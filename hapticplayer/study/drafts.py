@@ -18,7 +18,7 @@ from hapticplayer.study.definition import (
     read_file,
     refuse,
 )
-from hapticplayer.study.definition_reader import faults_of
+from hapticplayer.study.definition_reader import faults_of, to_be_worded
 from hapticplayer.study.order_list import ORDERS, read_orders
 from hapticplayer.study.orders import rows_of
 from hapticplayer.study.sequence_folders import refuse_estimates
@@ -101,7 +101,10 @@ def _problem(problem: InputError, field: str | None = None) -> DefinitionProblem
 
 
 def _missing(made: Definition, folder: Path) -> Iterator[DefinitionProblem]:
-    """Yield the sequences that have no recording, or one that cannot be played."""
+    """Yield texts to be worded, and sequences without a recording that can be played."""
+    for field in to_be_worded(made):
+        what, remedy = Message("is to be worded"), Message("enter the wording")
+        yield DefinitionProblem(field, what, remedy, is_fatal=False)
     for number, one in enumerate(made.sequences):
         field = f"sequences[{number}].folder"
         if not one.folder:

@@ -75,6 +75,7 @@ class Page:
         text: in the participant's language.
         questions: to be answered.
         replays: clips that can be played again.
+        one_by_one: whether its questions are shown one after the other.
         position, count: of the trial; 0 for other pages.
         number: increases with each page.
     """
@@ -85,6 +86,7 @@ class Page:
     text: str = ""
     questions: tuple[AskedQuestion, ...] = ()
     replays: Replays = ()
+    one_by_one: bool = False
     position: int = 0
     count: int = 0
     number: int = 0
@@ -128,6 +130,7 @@ class PageMaker:
             text=self._text_of(kind, asking),
             questions=tuple(self.asked(asking)) if asking else (),
             replays=self._replays() if asking and asking.replays else (),
+            one_by_one=asking is not None and asking.one_by_one,
             position=position_of(step) or 0,
             count=len(self._plan.order),
             number=number,
@@ -184,7 +187,7 @@ class PageMaker:
     def _options(self, asked: Question, language: str) -> tuple[tuple[Any, str], ...]:
         if asked.kind is QuestionKind.YES_NO:
             return (True, self.word("yes")), (False, self.word("no"))
-        if asked.kind is QuestionKind.SCALE:
+        if asked.kind in (QuestionKind.SCALE, QuestionKind.PAIR):
             least, most = range_of(asked) or (0, 0)
             return tuple((n, number_text(n)) for n in range(least, most + 1))
         return tuple((one.key, one.text[language]) for one in asked.choices)

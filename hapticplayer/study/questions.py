@@ -48,17 +48,17 @@ class AnswerKind(ABC):
     Attributes:
         name: as people choose it.
         uses: entries that only some kinds have.
-        is_measured: whether answers can be ranked and averaged.
+        limits: least and most of answers that can be ranked and averaged; else None.
         refusal: why an answer is not allowed.
         columns: of the answers in the data.
     """
 
     name: ClassVar[Message]
     uses: ClassVar[tuple[str, ...]] = ()
-    is_measured: ClassVar[bool] = False
 
     def __init__(self, asked: Question) -> None:
         self.asked = asked
+        self.limits: tuple[int, int] | None = None
         self.refusal = Message("must be one of the choices")
         self.columns = [AnswerColumn()]
 
@@ -70,6 +70,14 @@ class AnswerKind(ABC):
     def allows(self, value: Any) -> bool:
         """Whether the question can be answered like this."""
 
+    def number(self, value: Any) -> float | None:
+        """What an answer counts as; None where it does not count."""
+        is_counted = self.limits is not None and self.allows(value)
+        return self._number(value) if is_counted else None
+
+    def _number(self, value: Any) -> Any:
+        return value
+
     @abstractmethod
     def drawn(self, rng: np.random.Generator) -> Any:
         """An answer at random, for simulated participants."""
@@ -78,7 +86,6 @@ class AnswerKind(ABC):
 class _Number(AnswerKind):
     name = Message("Number")
     uses: ClassVar[tuple[str, ...]] = ("least", "most", "unit")
-    is_measured = True
 
     def __init__(self, asked: Question) -> None:
         super().__init__(asked)
@@ -86,6 +93,7 @@ class _Number(AnswerKind):
         self._prepare()
 
     def _prepare(self) -> None:
+        self.limits = (self.least, self.most)
         text = "must be a number from {least} to {most}"
         self.refusal = Message(text, least=self.least, most=self.most)
         labels = sorted(self.asked.labels, key=lambda one: one.at)
@@ -137,7 +145,7 @@ class _Visual(_Number):
 
 class _Scale(_Number):
     name = Message("Scale of points")
-    uses = ("least", "most", "labels", "in_qoe")
+    uses: ClassVar[tuple[str, ...]] = ("least", "most", "labels", "in_qoe")
 
     def faults(self) -> Iterator[Fault]:
         if found := list(super().faults()):
@@ -148,6 +156,19 @@ class _Scale(_Number):
             text = "must have 2 to {most} points, has {count}"
             yield "most", Message(text, most=MAX_POINTS, count=count), _CORRECT
         yield from self._label_faults()
+
+
+class _Pair(_Scale):
+    name = Message("Pair of opposites")
+    uses = ("least", "most", "labels")
+
+    def faults(self) -> Iterator[Fault]:
+        if found := list(super().faults()):
+            yield from found
+        elif {one.at for one in self.asked.labels} != {self.least, self.most}:
+            text = "must be the two opposites, at {least} and at {most}"
+            what = Message(text, least=self.least, most=self.most)
+            yield "labels", what, _CORRECT
 
 
 class _YesNo(AnswerKind):
@@ -173,6 +194,12 @@ class _Choice(AnswerKind):
         self.keys = [one.key for one in asked.choices]
         levels = {one.key: one.text for one in asked.choices}
         self.columns = [AnswerColumn(levels=levels)]
+        self._values = {one.key: one.value for one in asked.choices}
+        known = [one for one in self._values.values() if one is not None]
+        self.limits = (min(known), max(known)) if known else None
+
+    def _number(self, value: Any) -> Any:
+        return self._values[value]
 
     def faults(self) -> Iterator[Fault]:
         if len(self.keys) < 2:
@@ -195,8 +222,16 @@ class _Choices(_Choice):
 
     def __init__(self, asked: Question) -> None:
         super().__init__(asked)
+        self.limits = None
         self.refusal = Message("must be a list of one or more of the choices")
         self.columns = [AnswerColumn(f".{key}", _YES_NO, of=key) for key in self.keys]
+
+    def faults(self) -> Iterator[Fault]:
+        yield from super().faults()
+        for number, value in enumerate(self._values.values()):
+            if value is not None:
+                what = Message("is not used in {kind} questions", kind="choices")
+                yield f"choices[{number}].value", what, Message("remove it")
 
     def allows(self, value: Any) -> bool:
         if not isinstance(value, list) or not value:
@@ -239,6 +274,7 @@ ANSWER_KINDS: dict[QuestionKind, type[AnswerKind]] = {
     QuestionKind.YES_NO: _YesNo,
     QuestionKind.CHOICE: _Choice,
     QuestionKind.CHOICES: _Choices,
+    QuestionKind.PAIR: _Pair,
     QuestionKind.TEXT: _Words,
 }
 OF_KINDS = tuple(
@@ -252,6 +288,6 @@ def kind_of(asked: Question) -> AnswerKind:
 
 
 def range_of(asked: Question) -> tuple[int, int] | None:
-    """The smallest and largest answer; None where answers are not numbers."""
+    """The smallest and largest answer; None where answers are not numbers themselves."""
     kind = kind_of(asked)
-    return (kind.least, kind.most) if isinstance(kind, _Number) else None
+    return kind.limits if isinstance(kind, _Number) else None

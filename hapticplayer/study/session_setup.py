@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
 from hapticplayer.devices.capabilities import FALCON
-from hapticplayer.errors import InputError, StudyError, UsageError, message_of
+from hapticplayer.errors import InputError, Message, StudyError, UsageError, message_of
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import Feedback, ForceTrack
@@ -20,7 +20,8 @@ from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict
 from hapticplayer.rendering.demonstration import demonstration
 from hapticplayer.storage import cache_root
-from hapticplayer.study.definition_reader import DEFINITION
+from hapticplayer.study.definition import refuse
+from hapticplayer.study.definition_reader import DEFINITION, to_be_worded
 from hapticplayer.study.sequence_folders import (
     clip_checksums,
     refuse_estimates,
@@ -56,7 +57,10 @@ class StudySources:
 def load_study_sources(study: Study) -> StudySources:
     """Open the sequences of a study and make the tracks of their feedbacks."""
     clips = clip_checksums(study)
-    refuse_estimates(study.definition, str(study.folder / DEFINITION), study.folder)
+    path = str(study.folder / DEFINITION)
+    refuse_estimates(study.definition, path, study.folder)
+    for field in to_be_worded(study.definition):
+        refuse(path, field, Message("is to be worded"), Message("enter the wording"))
     opened = {
         sequence.key: open_source(sequence_folder(study, sequence.key))
         for sequence in study.definition.sequences

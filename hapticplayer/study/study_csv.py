@@ -10,9 +10,16 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from hapticplayer import storage
-from hapticplayer.study.answers import Answers, rated
-from hapticplayer.study.definition import Definition, Question, QuestionKind, When
+from hapticplayer.study.answers import Answers
+from hapticplayer.study.definition import (
+    Definition,
+    Question,
+    QuestionKind,
+    QuestionPage,
+    When,
+)
 from hapticplayer.study.questions import AnswerColumn, kind_of, range_of
+from hapticplayer.study.scoring import PageScores, Scoring, formula_of
 from hapticplayer.study.steps import answered_trials
 from hapticplayer.study.study_data import StudyData
 from hapticplayer.study.trial_force import LEAST_FORCE_N, MOST_ERROR, TrialForce
@@ -117,7 +124,7 @@ _TRIAL_COLUMNS = (
 
 
 class GivenColumn(NamedTuple):
-    """A column of answers: of the question with this name, as this part of it."""
+    """A column of answers, of the question or score with this name, or of a part of it."""
 
     column: DataColumn
     name: str
@@ -140,16 +147,35 @@ def answer_columns(
     """
     names = {column.name for column in taken}
     found = []
-    for asked in definition.questions_at(*when):
-        feedbacks = definition.feedback_keys if asked.for_each_feedback else ("",)
-        for feedback in feedbacks:
-            name = f"{asked.key}@{feedback}" if feedback else asked.key
-            for part in kind_of(asked).columns:
-                column = _answer_column(definition, asked, name, part)
-                if column.name in names:
-                    column = column._replace(name=f"answer_{column.name}")
-                found.append(GivenColumn(column, name, part))
+    for page in (page for at in when for page in definition.pages_at(at)):
+        given = [
+            *(one for asked in page.questions for one in _of(definition, asked)),
+            *_score_columns(page),
+        ]
+        for one in given:
+            column = one.column
+            if column.name in names:
+                column = column._replace(name=f"answer_{column.name}")
+            found.append(one._replace(column=column))
     return found
+
+
+def _of(definition: Definition, asked: Question) -> Iterator[GivenColumn]:
+    feedbacks = definition.feedback_keys if asked.for_each_feedback else ("",)
+    for feedback in feedbacks:
+        name = f"{asked.key}@{feedback}" if feedback else asked.key
+        for part in kind_of(asked).columns:
+            column = _answer_column(definition, asked, name, part)
+            yield GivenColumn(column, name, part)
+
+
+def _score_columns(page: QuestionPage) -> Iterator[GivenColumn]:
+    limits = PageScores(page).limits
+    for score in page.scores:
+        meaning = f"{score.text}: {formula_of(score)}"
+        levels = "from {:g} to {:g}".format(*limits[score.key])
+        column = DataColumn(score.key, meaning, levels)
+        yield GivenColumn(column, score.key, AnswerColumn())
 
 
 def _answer_column(
@@ -169,7 +195,7 @@ def _answer_column(
         labelled = ", ".join(f"{level}: {text}" for level, text in texts.items())
         levels = f"from {limits[0]} to {limits[1]} {part.unit}".strip()
         levels += f" ({labelled})" * bool(labelled)
-        is_scale = asked.kind is QuestionKind.SCALE
+        is_scale = asked.kind in (QuestionKind.SCALE, QuestionKind.PAIR)
         points = map(str, range(limits[0], limits[1] + 1)) if is_scale else ()
         texts = {point: texts.get(point, point) for point in points}
     return DataColumn(f"{name}{part.suffix}", meaning, levels, texts)
@@ -222,10 +248,11 @@ def participants(data: StudyData) -> DataTable:
 
 def _ratings(data: StudyData) -> DataTable:
     answers = data.answers
+    given = answer_columns(data.definition, When.AFTER_CLIP, taken=())
     scales = "|".join(
-        f"{asked.key}: {_answer_column(data.definition, asked, '', part).levels}"
-        for asked in rated(data.definition)
-        for part in kind_of(asked).columns
+        f"{one.name}: {one.column.levels}"
+        for one in given
+        if one.name in answers.factors
     )
     columns = (
         _WHO,
@@ -289,10 +316,11 @@ def _trial_rows(
     data: StudyData, given: Sequence[GivenColumn]
 ) -> Iterator[Sequence[Any]]:
     """Yield a row for each answered attempt, including repeated ones."""
+    scoring = Scoring(data.definition, When.AFTER_CLIP)
     for session in data.sessions:
         forces = data.trial_forces(session)
         for trial in answered_trials(session.records):
-            condition = trial.condition
+            condition, values = trial.condition, scoring.completed(trial.values)
             yield (
                 session.code,
                 trial.position,
@@ -307,7 +335,7 @@ def _trial_rows(
                 *(trial.playback.get(column.name) for column in _PLAYED),
                 trial.response_s,
                 *trial_force_cells(forces.get((trial.position, trial.attempt))),
-                *(one.cell(trial.values) for one in given),
+                *(one.cell(values) for one in given),
             )
 
 

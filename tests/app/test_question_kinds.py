@@ -1,17 +1,21 @@
 """Every kind of question on a participant's page: by keys, by mouse, at every size."""
 
 import json
+import re
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 from sitting import Person
 
 from app.participant.questions import ROWS
-from hapticplayer.study.creation import change_definition
-from hapticplayer.study.definition import QuestionKind
+from hapticplayer.study.creation import add_scale, change_definition
+from hapticplayer.study.definition import QuestionKind, When
 from hapticplayer.study.pages import PageKind
+from hapticplayer.study.scales import page_of_scale
 from tests.every_kind import drawn, with_every_kind
 
 ROOMS = ((1920, 1080), (1280, 720), (800, 500))
@@ -124,6 +128,7 @@ def test_answers_come_back_after_a_pause(page):
         QuestionKind.YES_NO: False,
         QuestionKind.CHOICE: "bike",
         QuestionKind.CHOICES: ["air"],
+        QuestionKind.PAIR: -1,
         QuestionKind.TEXT: "so",
     }
     for row in page.rows:
@@ -175,3 +180,82 @@ def test_two_pages_follow_each_clip(make_study, sit, wait_for):
     records = session.study.session(code).records.intact
     asked = [r.content["page"] for r in records if r.kind == "answers"]
     assert asked == ["sheet", "rating", "more-after-clip"]
+
+
+@pytest.fixture
+def pairs(make_study, sit):
+    """A page of eight pairs, one after the other."""
+    study = make_study()
+    content = json.loads(study.content)
+    page = page_of_scale("ueq-s", "ueq", When.BEFORE, content["languages"])
+    worded = re.sub("[\u2039\u203a]", "", json.dumps(page, ensure_ascii=False))
+    content["pages"].insert(0, {**json.loads(worded), "one_by_one": True})
+    session = sit(change_definition(study, content))
+    maker = session.runner.maker
+    session.participant.show_page(maker.page(PageKind.QUESTIONS, "ueq", 99))
+    made = session.participant.content
+    made.focus()
+    return made
+
+
+def shown(page):
+    return [number for number, row in enumerate(page.rows) if row.isVisible()]
+
+
+def test_questions_one_by_one_go_on_with_an_answer_and_back(pairs, qtbot):
+    assert shown(pairs) == [0]
+    press(pairs, Qt.Key.Key_Return)
+    assert shown(pairs) == [0]  # not without an answer
+    assert pairs.rows[0].title.isVisible()
+    press(pairs, Qt.Key.Key_7)
+    assert shown(pairs) == [1]
+    assert pairs.place.text() == "2 / 8"
+    pairs.back.click()
+    assert shown(pairs) == [0]
+    for _ in pairs.rows:
+        press(pairs, Qt.Key.Key_1)
+    assert shown(pairs) == [7]
+    with qtbot.waitSignal(pairs.finished):
+        press(pairs, Qt.Key.Key_Return)
+    assert set(pairs.values().values()) == {-3}
+
+
+@pytest.mark.parametrize("room", [*ROOMS, (640, 360)])
+def test_the_opposites_of_a_pair_are_whole_at_its_ends(pairs, qtbot, room):
+    pairs.window().resize(*room)
+    qtbot.wait(50)
+    row = pairs.rows[0]
+    ends = [one for one in row.findChildren(QLabel) if one.isVisible()]
+    assert [one.text() for one in ends] == ["obstructive", "supportive"]
+    assert all(one.width() >= one.sizeHint().width() for one in ends)
+    points = [button.geometry() for button in row.group.buttons()]
+    assert not any(one.geometry().intersects(at) for one in ends for at in points)
+    assert "obstructive" in row.group.button(0).accessibleName()
+
+
+def test_digits_are_the_numbers_that_answers_begin_with(make_study, sit):
+    study = add_scale(make_study(), "misc", "now", When.BEFORE)
+    session = sit(study)
+    maker = session.runner.maker
+    session.participant.show_page(maker.page(PageKind.QUESTIONS, "now", 99))
+    page = session.participant.content
+    page.focus()
+    press(page, Qt.Key.Key_3)
+    assert page.rows[0].value() == "3"
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_scale_of_many_points_fits(make_study, sit, qtbot, room):
+    study = make_study()
+    content = json.loads(study.content)
+    asked = content["pages"][1]["questions"][0]
+    asked |= {"least": 0, "most": 20}
+    session = sit(change_definition(study, content))
+    maker = session.runner.maker
+    session.participant.resize(*room)
+    session.participant.show_page(maker.page(PageKind.QUESTIONS, "trial-01", 99))
+    page = session.participant.content
+    qtbot.wait(50)
+    buttons = [button.geometry() for button in page.rows[0].group.buttons()]
+    assert not any(a.intersects(b) for a, b in pairwise(buttons))
+    assert buttons[-1].right() <= page.viewport().width()

@@ -139,6 +139,52 @@ class Fields(QScrollArea):
         self._bind(label, place, line, show)
         return line
 
+    def listed(
+        self,
+        label: str,
+        place: Place,
+        *,
+        tip: str = "",
+        is_optional: bool = False,
+        is_one: bool = False,
+    ) -> QLineEdit:
+        """Add a line of words and numbers, separated by commas; or of one of them."""
+        line = self.lone_listed(label, place, is_optional=is_optional, is_one=is_one)
+        line.setToolTip(tip)
+        self.rows.addRow(label, line)
+        return line
+
+    def lone_listed(
+        self, label: str, place: Place, *, is_optional: bool, is_one: bool
+    ) -> QLineEdit:
+        """Return such a line without a row; where it is optional, "" is no entry."""
+        line = QLineEdit()
+
+        def typed(text: str) -> None:
+            value: Any = [
+                _word_or_number(one) for one in text.split(",") if one.strip()
+            ]
+            if is_one:
+                value = value[0] if value else ""
+            nothing = is_optional and value in ([], "")
+            self._set(place, None if nothing else value, label)
+
+        def show() -> None:
+            value = self.document.at(place)
+            held = (
+                [] if value is None else value if isinstance(value, list) else [value]
+            )
+            shown = [
+                _word_or_number(one) for one in line.text().split(",") if one.strip()
+            ]
+            if shown != held:
+                line.setText(", ".join(map(_plain, held)))
+                line.setCursorPosition(0)
+
+        line.textEdited.connect(typed)
+        self._bind(label, place, line, show)
+        return line
+
     def area(
         self,
         label: str,
@@ -334,6 +380,20 @@ class Fields(QScrollArea):
             event.ignore()
             return True
         return super().eventFilter(watched, event)
+
+
+def _word_or_number(text: str) -> str | int | float:
+    word = text.strip()
+    for kind in (int, float):
+        try:
+            return kind(word)
+        except ValueError:
+            continue
+    return word
+
+
+def _plain(value: object) -> str:
+    return f"{value:.12g}" if isinstance(value, float) else str(value)
 
 
 def _text_of(area: QPlainTextEdit) -> str:

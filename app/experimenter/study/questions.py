@@ -10,6 +10,7 @@ from app.bridge.languages import translated
 from app.experimenter.study.document import Place, StudyDocument
 from app.experimenter.study.lists import EntryList, Row
 from app.experimenter.study.preview import PagePreview, ShownPage
+from app.experimenter.study.score_fields import fill_score, new_score
 from app.experimenter.study.words import (
     group_names,
     label_words,
@@ -17,7 +18,7 @@ from app.experimenter.study.words import (
     text_in,
 )
 from app.widgets.buttons import text_button
-from app.widgets.layout import row_of
+from app.widgets.layout import paragraph, row_of
 from hapticplayer.study.definition import (
     MAX_ANSWER,
     QuestionKind,
@@ -31,16 +32,22 @@ from hapticplayer.study.questions import (
     OF_KINDS,
     VISUAL_RANGE,
 )
+from hapticplayer.study.scales import page_of_scale, read_scale, scale_names
 from hapticplayer.study.steps import trial_step
 
-_KEY_PX = 130
+_KEY_PX, _VALUE_PX = 130, 60
 _MOST, _MOST_POINT = 1_000_000, 999
 _PAGE_LETTERS = 30
 _NEW: dict[QuestionKind, dict[str, Any]] = {
     QuestionKind.SCALE: {"least": 1, "most": 5},
     QuestionKind.NUMBER: {"least": 0, "most": 100},
+    QuestionKind.PAIR: {"least": -3, "most": 3},
 }
-_ENDS = {QuestionKind.SCALE: (1, 5), QuestionKind.VISUAL: VISUAL_RANGE}
+_ENDS = {
+    QuestionKind.SCALE: (1, 5),
+    QuestionKind.VISUAL: VISUAL_RANGE,
+    QuestionKind.PAIR: (-3, 3),
+}
 
 
 class QuestionList(EntryList):
@@ -58,6 +65,11 @@ class QuestionList(EntryList):
         pages = menu.addMenu(self.tr("Page"))
         for when, text in group_names().items():
             pages.addAction(text).triggered.connect(partial(self.add_page, When(when)))
+        scales = menu.addMenu(self.tr("Scale"))
+        for name in scale_names():
+            action = scales.addAction(read_scale(name).name)
+            action.triggered.connect(partial(self.add_scale, name))
+        menu.addAction(self.tr("Score")).triggered.connect(self.add_score)
         menu.addSeparator()
         for kind, row in ANSWER_KINDS.items():
             action = menu.addAction(translated(row.name))
@@ -80,6 +92,14 @@ class QuestionList(EntryList):
                         Row(self._text(one), (*at, "questions", place))
                         for place, one in enumerate(page.get("questions") or [])
                     ]
+                    score = self.tr("Score: {text}")
+                    rows += [
+                        Row(
+                            f"      {score.format(text=one['text'])}",
+                            (*at, "scores", n),
+                        )
+                        for n, one in enumerate(page.get("scores") or [])
+                    ]
         return rows
 
     def _text(self, question: dict[str, Any]) -> str:
@@ -98,13 +118,16 @@ class QuestionList(EntryList):
         entry = self.document.at(place) or {}
         counts = [len(entry.get(name) or []) for name in ("choices", "labels")]
         pages = [(one["key"], one["when"]) for one in self._pages]
-        return place, tuple(self.document.languages), entry.get("kind"), counts, pages
+        kinds = entry.get("kind"), entry.get("scale")
+        return place, tuple(self.document.languages), kinds, counts, pages
 
     def fill(self, place: Place) -> None:
-        if len(place) > 2:
-            self._fill_question(place)
-        else:
+        if len(place) == 2:
             self._fill_page(place)
+        elif place[2] == "scores":
+            fill_score(self.fields, place)
+        else:
+            self._fill_question(place)
 
     def _fill_page(self, place: Place) -> None:
         fields = self.fields
@@ -115,7 +138,17 @@ class QuestionList(EntryList):
         if self.document.at((*place, "when")) == When.AFTER:
             text = self.tr("All clips may be played again there")
             fields.check(text, (*place, "replays"))
+        fields.check(
+            self.tr("The questions are shown one after the other"),
+            (*place, "one_by_one"),
+        )
         self._key_line(place)
+        fields.line(self.tr("Scale"), (*place, "scale"), is_optional=True)
+        name = self.document.at((*place, "scale"))
+        if name in scale_names():
+            scale = read_scale(name)
+            fields.row(self.tr("Source"), paragraph(f"{scale.name}: {scale.source}"))
+            fields.row(self.tr("Licence"), paragraph(scale.licence))
 
     def _key_line(self, place: Place) -> None:
         key = self.fields.line(
@@ -206,6 +239,8 @@ class QuestionList(EntryList):
         labels = self.document.at((*place, "labels")) or []
         for number in sorted(range(len(labels)), key=lambda n: labels[n].get("at", 0)):
             self._fill_label((*place, "labels", number))
+        if self.document.at((*place, "kind")) == QuestionKind.PAIR:
+            return  # it has its two ends
         add = text_button(self.tr("Add a label"), "")
         add.clicked.connect(lambda: self._add_label(place))
         self.fields.row("", add)
@@ -214,7 +249,8 @@ class QuestionList(EntryList):
         label = label_words(self.document.at((*at, "at")) or 0)
         least, most = self._limits(at[:-2])
         point = self.fields.lone_number(self.tr("Point"), (*at, "at"), least, most)
-        row = self._text_row(at, label, point, self.tr("Remove this label"))
+        removal = self.tr("Remove this label")
+        row = self._text_row(at, label, point, removal=removal)
         self.fields.row(label, row)
         told = self.fields.rows.labelForField(row)
         assert isinstance(told, QLabel)
@@ -262,16 +298,23 @@ class QuestionList(EntryList):
         key = self.fields.lone_line(self.tr("Name in the data"), (*at, "key"))
         key.setToolTip(self.tr("Name in the data"))
         key.setFixedWidth(_KEY_PX)
+        own: tuple[QWidget, ...] = (key,)
+        if self.document.at((*at[:-2], "kind")) == QuestionKind.CHOICE:
+            text = self.tr("Number that it counts as, if any")
+            place = (*at, "value")
+            value = self.fields.lone_listed(text, place, is_optional=True, is_one=True)
+            value.setToolTip(text)
+            value.setFixedWidth(_VALUE_PX)
+            own = (key, value)
         remove = self.tr("Remove this answer")
-        return self._text_row(at, label, key, remove, may_go=count > 2)
+        return self._text_row(at, label, *own, removal=remove, may_go=count > 2)
 
     def _text_row(
         self,
         at: Place,
         label: str,
-        after: QWidget,
+        *after: QWidget,
         removal: str,
-        *,
         may_go: bool = True,
     ) -> QWidget:
         """A text in each language, another field, and a button that removes them."""
@@ -286,7 +329,7 @@ class QuestionList(EntryList):
         remove.setEnabled(may_go)
         remove.clicked.connect(lambda: self.document.remove(at, self.tr("removal")))
         row = QWidget()
-        row_of(*lines, after, remove, spacing=6, of=row)
+        row_of(*lines, *after, remove, spacing=6, of=row)
         return row
 
     def refresh(self) -> None:
@@ -310,6 +353,26 @@ class QuestionList(EntryList):
         self.selected = ("pages", len(pages), "questions", 0)
         self.document.add(("pages",), [page], self.tr("another page"))
         self.fields.focus((*self.selected, "text", self.document.languages[0]))
+
+    def add_scale(self, name: str, *_: object) -> None:
+        """Add a page that asks a scale, where the selected page is shown."""
+        pages, selected = self._pages, self.selected
+        when = pages[int(selected[1])]["when"] if selected else When.AFTER_CLIP
+        taken = [one["key"] for one in pages]
+        key = name if name not in taken else _free_key(name, taken)
+        page = page_of_scale(name, key, When(when), self.document.languages)
+        self.selected = ("pages", len(pages))
+        self.document.add(("pages",), [page], self.tr("another scale"))
+
+    def add_score(self, *_: object) -> None:
+        """Add a score to the selected page."""
+        if self.selected:
+            at = self.selected[:2]
+            taken = [s["key"] for page in self._pages for s in page.get("scores") or []]
+            made = new_score(_free_key("score", taken), self.document.at(at))
+            number = len(self.document.at((*at, "scores")) or [])
+            self.selected = (*at, "scores", number)
+            self.document.add((*at, "scores"), [made], self.tr("another score"))
 
     def add(self, kind: QuestionKind, *_: object) -> None:
         """Add a question to the selected page."""

@@ -181,5 +181,8 @@ def _part_words(first: str, part: str | int) -> str:
         "at": translate("StudyWords", "Point"),
         "in_qoe": translate("StudyWords", "Part of the sum QoE"),
         "questions": translate("StudyWords", "Questions"),
+        "scores": translate("StudyWords", "Scores"),
+        "of": translate("StudyWords", "Questions of a score"),
+        "value": translate("StudyWords", "Counts as"),
     }
     return known.get(part, part)

@@ -46,6 +46,7 @@ from hapticplayer.study.analysis.references import (
     WILSON_1927,
     YARROW_2011,
 )
+from hapticplayer.study.analysis.scale_report import scale_summary
 from hapticplayer.study.analysis.statistic import (
     interval,
     number,
@@ -124,6 +125,7 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
             "answers_missing": analysis.missing,
             "of_these_invalid": analysis.invalid,
         },
+        "scales": scale_summary(analysis.answers),
         "questions": question_summary(analysis.answers),
         "felt": trial_force_summary(analysis.answers),
         "warnings": warnings_of(analysis),

@@ -17,6 +17,7 @@ from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.storage import json_text
 from hapticplayer.study.answers import simulated_mark
 from hapticplayer.study.definition import Definition, When
+from hapticplayer.study.scoring import Scoring
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials
 from hapticplayer.study.study_csv import (
@@ -208,8 +209,12 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     given = answer_columns(data.definition, When.AFTER_CLIP, taken=_BEH)
     columns = [*_BEH, *(one.column for one in given)]
     forces = data.trial_forces(session)
+    scoring = Scoring(data.definition, When.AFTER_CLIP)
     rows = [
-        _beh_row(trial, forces.get((trial.position, trial.attempt)), given)
+        (
+            *_beh_row(trial, forces.get((trial.position, trial.attempt))),
+            *(one.cell(scoring.completed(trial.values)) for one in given),
+        )
         for trial in answered_trials(session.records)
     ]
     table = DataTable(f"{name}_task-{TASK}_beh.tsv", columns, rows)
@@ -247,9 +252,7 @@ def begins_of(runs: Sequence[tuple[float, dt.datetime]]) -> Iterator[dt.datetime
         yield at
 
 
-def _beh_row(
-    trial: AnsweredTrial, force: TrialForce | None, given: list[GivenColumn]
-) -> tuple[Any, ...]:
+def _beh_row(trial: AnsweredTrial, force: TrialForce | None) -> tuple[Any, ...]:
     condition = trial.condition
     return (
         trial.position,
@@ -261,7 +264,6 @@ def _beh_row(
         trial.is_valid,
         *trial_force_cells(force),
         trial.response_s,
-        *(one.cell(trial.values) for one in given),
     )
 
 

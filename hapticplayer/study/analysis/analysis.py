@@ -16,6 +16,7 @@ from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
 from hapticplayer.study.analysis.question_report import question_summary
 from hapticplayer.study.analysis.rank_sum import MANN_WHITNEY
 from hapticplayer.study.analysis.rank_tests import SHAPIRO, WILCOXON
+from hapticplayer.study.analysis.scale_report import scale_summary
 from hapticplayer.study.analysis.scores import (
     MissingPolicy,
     Sample,
@@ -193,6 +194,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         },
         "conditions": conditions,
         "missing": missing(analysis),
+        "scales": scale_summary(analysis.answers),
         "questions": question_summary(analysis.answers),
         "felt": trial_force_summary(analysis.answers),
         "warnings": warnings_of(analysis),

@@ -17,6 +17,7 @@ from hapticplayer.study.analysis.blocks import (
     ReportTable,
 )
 from hapticplayer.study.analysis.question_report import question_table
+from hapticplayer.study.analysis.scale_report import scale_tables
 from hapticplayer.study.analysis.statistic import listed, number
 from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.conduct import AnsweredPlayback
@@ -87,6 +88,7 @@ def people(answers: Answers) -> Iterator[ReportBlock]:
     rows.append(("experience", _counted([words[one] for one in used])))
     yield ReportTable("Participants of the study", ("", "value"), tuple(rows))
     yield from question_table(answers)
+    yield from scale_tables(answers)
 
 
 def _ages(ages: Any, everyone: int) -> str:

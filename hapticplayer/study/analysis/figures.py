@@ -64,16 +64,16 @@ def qoe_by_sequence(analysis: Analysis) -> "Figure":
     of = [scores.ranges[scores.factors.index(factor)] for factor in scores.qoe]
     limits = sum(low for low, _ in of), sum(high for _, high in of)
     return _figure(
-        groups, scores.feedbacks, f"QoE ({limits[0]} to {limits[1]})", limits
+        groups, scores.feedbacks, f"QoE ({limits[0]:g} to {limits[1]:g})", limits
     )
 
 
 def factors_by_feedback(
-    analysis: Analysis, factors: list[str], limits: tuple[int, int]
+    analysis: Analysis, factors: list[str], limits: tuple[float, float]
 ) -> "Figure":
     """Draw factors by feedback, as figure 8 of the paper."""
     groups = {name: analysis.measures[name].sample.values for name in factors}
-    label = f"rating ({limits[0]} to {limits[1]})"
+    label = f"rating ({limits[0]:g} to {limits[1]:g})"
     return _figure(groups, analysis.scores.feedbacks, label, limits)
 
 
@@ -139,7 +139,7 @@ def _figure(
     groups: dict[str, Floats],
     feedbacks: tuple[str, ...],
     label: str,
-    limits: tuple[int, int],
+    limits: tuple[float, float],
 ) -> "Figure":
     """Draw groups of (P, F) side by side."""
     with new_panel(label) as (figure, panel):

@@ -49,7 +49,7 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
 def _scales(scores: Scores) -> str:
     """The factors with their ranges."""
     return "; ".join(
-        f"{listed(factors)}, from {limits[0]} to {limits[1]}"
+        f"{listed(factors)}, from {limits[0]:g} to {limits[1]:g}"
         for limits, factors in scores.by_range().items()
     )
 

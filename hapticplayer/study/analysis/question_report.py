@@ -7,7 +7,7 @@ from typing import Any
 
 from hapticplayer.study.analysis.blocks import ReportBlock, ReportTable
 from hapticplayer.study.answers import Answers, AnswersTo
-from hapticplayer.study.questions import kind_of
+from hapticplayer.study.questions import kind_of, range_of
 
 _OF_PEOPLE = {"age", "gender", "handedness", "used_device_before"}
 """Questions that the table of participants has."""
@@ -31,7 +31,7 @@ def question_summary(answers: Answers) -> dict[str, Any]:
 
 
 def _summary(one: AnswersTo) -> dict[str, Any]:
-    if kind_of(one.question).is_measured:
+    if range_of(one.question) is not None:
         if not one.values:
             return {"median": None, "low": None, "high": None}
         spread = {"low": min(one.values), "high": max(one.values)}

@@ -58,7 +58,7 @@ class Scores:
     used_before: dict[str, bool]
     invalid: int
     repeated: int
-    ranges: tuple[tuple[int, int], ...]
+    ranges: tuple[tuple[float, float], ...]
     qoe: tuple[str, ...]
 
     @property
@@ -66,9 +66,9 @@ class Scores:
         """QoE, where factors are summed, and the factors."""
         return (*((QOE,) if self.qoe else ()), *self.factors)
 
-    def by_range(self) -> dict[tuple[int, int], list[str]]:
+    def by_range(self) -> dict[tuple[float, float], list[str]]:
         """The factors that have a range in common."""
-        found: dict[tuple[int, int], list[str]] = {}
+        found: dict[tuple[float, float], list[str]] = {}
         for factor, limits in zip(self.factors, self.ranges, strict=True):
             found.setdefault(limits, []).append(factor)
         return found
@@ -135,10 +135,12 @@ class Sample:
         return {name: compute(name, column) for name, column in columns}
 
 
-def factors_figure(scores: Scores, limits: tuple[int, int]) -> str:
+def factors_figure(scores: Scores, limits: tuple[float, float]) -> str:
     """The name of the figure of the factors with a range."""
     is_first = next(iter(scores.by_range())) == limits
-    return "factors-by-feedback" + ("" if is_first else f"-{limits[0]}-to-{limits[1]}")
+    return "factors-by-feedback" + (
+        "" if is_first else f"-{limits[0]:g}-to-{limits[1]:g}"
+    )
 
 
 def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:

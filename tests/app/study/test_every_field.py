@@ -79,6 +79,10 @@ def test_every_entry_of_a_definition_has_a_field(edit, tmp_path, template):
     study = create_study(tmp_path / "s", template)
     study = change_definition(study, with_every_kind(json.loads(study.content)))
     editor = edit(study.folder)
+    editor.tabs.setCurrentWidget(editor.questions)
+    editor.questions.select(("pages", 0))
+    editor.questions.add_score()
+    editor.keep()
     shown = places_shown(editor)
     missing = set(entries(Definition)) - shown - KEPT
     # a form of its own has the parameters of a condition

@@ -496,3 +496,33 @@ def test_the_next_study_begins_where_the_last_one_was(window, tmp_path):
     exported = tmp_path / "settings.json"
     window.settings.export(exported)
     assert str(tmp_path) not in exported.read_text()
+
+
+def test_a_scale_is_added_and_tells_what_is_to_be_worded(edit, tmp_path):
+    folder = create_study(tmp_path / "s", languages=["en"]).folder
+    editor = edit(folder)
+    editor.tabs.setCurrentWidget(editor.questions)
+    questions = editor.questions
+    questions.select(("pages", 0))
+    questions.add_scale("ssq")
+    questions.add_scale("hxi")
+    editor.keep()
+    pages = open_study(folder).definition.pages
+    assert [(one.scale, one.when) for one in pages[3:]] == [
+        ("ssq", "before"),
+        ("hxi", "before"),
+    ]
+    problems = editor.draft.keep(editor.document.value)
+    open_texts = [one for one in problems if one.field.startswith("pages")]
+    assert len(open_texts) == 20 + 2 * 20
+    assert not any(one.is_fatal for one in problems)
+    total = pages[3].scores[-1]
+    questions.select(("pages", 3, "scores", 3))
+    field = questions.fields.by_place[("pages", 3, "scores", 3, "polynomial")]
+    assert field.text() == "0, 3.74"
+    field.selectAll()
+    QTest.keyClicks(field, "1, 2")
+    editor.keep()
+    changed = open_study(folder).definition.pages[3].scores[-1]
+    assert changed.polynomial == (1.0, 2.0)
+    assert changed.of == total.of

@@ -25,8 +25,10 @@ GIVEN = {
     QuestionKind.YES_NO: False,
     QuestionKind.CHOICE: "bike",
     QuestionKind.CHOICES: ["sea", "land"],
+    QuestionKind.PAIR: 2,
     QuestionKind.TEXT: "so, Anna",
 }
+MEASURED = ("scale", "visual", "number", "pair")
 WRONG = {
     QuestionKind.SCALE: (4, -4, "1", True, 1.0),
     QuestionKind.VISUAL: (101, -1, 50.5, "50"),
@@ -34,6 +36,7 @@ WRONG = {
     QuestionKind.YES_NO: (0, "yes"),
     QuestionKind.CHOICE: ("plane", 1, ["car"]),
     QuestionKind.CHOICES: (["plane"], "sea", ["sea", "sea"], [1], {}),
+    QuestionKind.PAIR: (4, "dull"),
     QuestionKind.TEXT: ("x" * 31, 5),
 }
 
@@ -117,7 +120,7 @@ def test_a_crash_between_two_pages_of_a_clip_asks_the_second(running):
     ratings = read_answers(back.study.folder).ratings
     assert {r.factor: r.value for r in ratings if r.value is not None} == {
         **first,
-        **{f"{kind}_after-clip": GIVEN[kind] for kind in ("scale", "visual", "number")},
+        **{f"{kind}_after-clip": GIVEN[kind] for kind in MEASURED},
     }
     back.runner.repeat()  # and the whole trial, if the operator wants it
     back.runner.repeat()
@@ -223,7 +226,7 @@ def test_only_numbers_are_compared_and_the_rest_is_counted(running):
     answers = read_answers(running.study.folder)
     assert answers.factors == (
         *("realism", "sensory", "comfort", "satisfaction"),
-        *("scale_after-clip", "visual_after-clip", "number_after-clip"),
+        *(f"{kind}_after-clip" for kind in MEASURED),
     )
     assert answers.qoe == answers.factors[:4]
     numbers = analyse_study(answers).numbers
@@ -244,9 +247,7 @@ def test_a_study_without_the_sum_is_analysed(study, scripted, tmp_path):
     run("study", "analyse", made.folder, "--output", tmp_path / "out")
     numbers = json.loads((tmp_path / "out" / "numbers.json").read_text())
     assert numbers["qoe"] == {}
-    assert set(numbers["friedman"]) == {
-        f"{kind}_after-clip" for kind in ("scale", "visual", "number")
-    }
+    assert set(numbers["friedman"]) == {f"{kind}_after-clip" for kind in MEASURED}
     drawn_by = {path.stem for path in (tmp_path / "out").glob("*.svg")}
     assert drawn_by == {
         "factors-by-feedback",
