@@ -7,6 +7,7 @@ from benchmarks.common import command
 PLACES = {
     "outputs": "sync.outputs",
     "outside": "sync.outside",
+    "live": "sync.live",
     "pats": "sync.pats",
     "frames": "sync.frames",
 }

@@ -283,8 +283,8 @@ def _numbers(cells: list[str]) -> tuple[float, ...]:
 def open_wt901(options: SourceOptions, clock: Clock) -> LiveSource:
     """See `Wt901Decoder`; its rate is set only if a person allows it."""
     fields = options.fields({
-        "baud": ("baud", _BAUD.parse),
-        "rate": ("rate", lambda _name, value: one_of(value, _WT901_RATES)),
+        "baud": _BAUD.parse,
+        "rate": lambda _name, value: one_of(value, _WT901_RATES),
     })  # fmt: skip
     baud, rate = int(fields.get("baud", 9600)), fields.get("rate")
     if rate is not None:
@@ -356,7 +356,7 @@ def open_csv(options: SourceOptions, clock: Clock) -> LiveSource:
 
 
 def _port(options: SourceOptions, baud: int) -> Descriptor:
-    fields = options.fields({"baud": ("baud", _BAUD.parse)})
+    fields = options.fields({"baud": _BAUD.parse})
     return open_port(options.place(_PORT), int(fields.get("baud", baud)))
 
 

@@ -26,8 +26,9 @@ from hapticplayer.capture.live.source_clock import (
     SourceClock,
 )
 from hapticplayer.capture.mounting import axes_matrix
+from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import Clock
-from hapticplayer.devices.options import Fields, Parse, fields_of, one_of
+from hapticplayer.devices.options import Parse, one_of
 from hapticplayer.errors import InputError, Message, UsageError, entry_named
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_ACCELERATION_MPS2, MAX_ANGULAR_RATE_RADPS
@@ -111,14 +112,23 @@ class SourceOptions:
     choices: LogChoices = field(default_factory=LogChoices)
     ask: Ask = lambda _question: False
 
-    def fields(
-        self, named: Mapping[str, tuple[str, Parse]], place: str = "place"
-    ) -> Fields:
-        """The place and the options that are named, by the names of their fields."""
-        allow = {"allow": ("allow", lambda _name, value: one_of(value, ("yes", "no")))}
-        return fields_of(
-            self.source, self.text, lambda part: {place: part}, {**named, **allow}
-        )
+    def fields(self, named: Mapping[str, Parse]) -> dict[str, Any]:
+        """The options behind the place, by name; `allow` is one of every source."""
+        known = {**named, "allow": _yes_or_no}
+        found: dict[str, Any] = {}
+        for part in filter(None, self.text.split(",")[1:]):
+            name, _, value = part.partition("=")
+            if name not in known or name in found:
+                raise UsageError(
+                    "{source} does not understand {part!r}; give each of {known} once, "
+                    "such as {name}=VALUE",
+                    source=self.source,
+                    part=part[:80],
+                    known=", ".join(known),
+                    name=next(iter(known)),
+                )
+            found[name] = known[name](name, value)
+        return found
 
     def place(self, example: str) -> str:
         """The place, which has to be given."""
@@ -143,6 +153,10 @@ class SourceOptions:
             option=LIVE_OPTION,
             text=self.text,
         )
+
+
+def _yes_or_no(_name: str, value: str) -> str:
+    return one_of(value, ("yes", "no"))
 
 
 Open = Callable[[SourceOptions, Clock], LiveSource]
@@ -284,6 +298,14 @@ class OpenedSource:
         before = np.maximum.accumulate(np.concatenate([[self._last_s], stamp_s]))
         self._last_s = float(before[-1])
         return np.asarray(stamp_s > before[:-1])
+
+    def checked(self, samples: Samples) -> Recording:
+        """What it has measured, checked at rest and in turns; see `source_answers`."""
+        values = samples.accel_mps2, samples.rate_radps
+        declares, choices = self.row.declares, self._choices
+        return source_answers.checked(
+            samples.stamp_s, values, declares, choices, self.text
+        )
 
     def close(self) -> None:
         """See `LiveSource`."""

@@ -9,9 +9,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hapticplayer.capture.assemble import assemble
-from hapticplayer.capture.choices import LogChoices, LogQuestion, parse_choices
+from hapticplayer.capture.choices import (
+    ACCEL_UNITS,
+    RATE_UNITS,
+    LogChoices,
+    LogQuestion,
+    factor,
+    parse_choices,
+)
 from hapticplayer.capture.log_tables import keep_answers, kept_answers
-from hapticplayer.capture.mounting import AS_RECORDED
+from hapticplayer.capture.mounting import AS_RECORDED, signed_axes
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message, joined
@@ -99,39 +106,52 @@ def ask_for_missing(declares: Declaration, choices: LogChoices, where: str) -> N
 
 def checked(
     time_s: Floats,
-    accel_mps2: Floats,
-    rate_radps: Floats,
+    samples: tuple[Floats, Floats],
     declares: Declaration,
+    choices: LogChoices,
     text: str,
 ) -> Recording:
     """What a source has measured so far, as a log that is checked at rest and in turns.
 
     Args:
-        time_s: (N,) of its clock.
-        accel_mps2: (N, 3) as the opened source gives it.
-        rate_radps: (N, 3) of the same.
-        declares: of the opened source.
+        time_s: (N,) of its clock, increasing.
+        samples: acceleration and angular rate (N, 3), in SI and with the answers applied.
+        declares: of its row.
+        choices: the answers.
         text: that names the source.
 
     Raises:
         LogQuestion: where gravity contradicts a unit, a sign or the axes; with answers that
             `open_source` takes.
-        InputError: where nothing can be told from them.
+        InputError: where they are no motion with gravity.
     """
-    if np.linalg.norm(np.median(accel_mps2, axis=0)) < _NO_GRAVITY_MPS2:
+    known = answered(declares, choices)
+    if np.linalg.norm(np.median(samples[0], axis=0)) < _NO_GRAVITY_MPS2:
         raise InputError(
             "sends acceleration from which gravity was removed",
             where=text,
             remedy="choose its acceleration with gravity (the raw accelerometer)",
         )
+    sign = -1.0 if known.accel_sign == "-" else 1.0
+    accel = samples[0] / (sign * factor(known.accel_unit, ACCEL_UNITS, "accel-unit"))
+    rate = samples[1] / factor(known.rate_unit, RATE_UNITS, "rate-unit")
     raw = RawLog(
         name=text,
-        accel=SensorStream(time_s, accel_mps2),
-        rate=SensorStream(time_s, rate_radps),
-        axes=declares.axes,
+        accel=SensorStream(time_s, _as_stored(accel, choices.accel_axes)),
+        rate=SensorStream(time_s, _as_stored(rate, choices.rate_axes)),
+        accel_unit=known.accel_unit,
+        rate_unit=known.rate_unit,
+        axes=known.axes,
         axes_words=declares.axes_words,
     )
-    return assemble(raw, LogChoices(), text)
+    # a copy: its answers are applied anew
+    return assemble(raw, replace(choices, accel_sign=known.accel_sign), text)
+
+
+def _as_stored(values: Floats, axes: str) -> Floats:
+    """What `own_axes` was given."""
+    change = signed_axes(axes) if axes else None
+    return values if change is None else np.asarray(values @ change)
 
 
 _NO_GRAVITY_MPS2 = 1.0

@@ -1,0 +1,261 @@
+"""Clocks of live sources: a serial IMU and a phone, simulated on a virtual clock.
+
+A clip with three taps is heard by the machine while its IMU is read through the program's
+own decoders. The serial IMU sends WT901 frames at 115200 baud; its clock is 40 ppm fast,
+and its adapter hands over batches every 1 to 16 ms, which are read 1 ms later and more (0.5 ms,
+exponentially). The phone answers as phyphox does, ten
+times a second; an answer takes 2 to 80 ms, evenly distributed, 2 % are lost, and its clock
+is off by up to 50 ppm. An error is that of a sample's time on the machine's clock, against
+when it was taken. "So far" is the estimate when the sample comes, from 10 s on; "at the end"
+that of all pairs, before anything corrects it; "after taps" what `synchronize` makes of it.
+"""
+
+import argparse
+import json
+import struct
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from benchmarks.common import Report, on_one_thread
+from hapticplayer.capture import synchronize
+from hapticplayer.capture.live.byte_stream import ByteSource, SampleCount
+from hapticplayer.capture.live.phones import phyphox_events
+from hapticplayer.capture.live.sensor_join import ACCEL, RATE, SensorJoin
+from hapticplayer.capture.live.serial_imus import Wt901Decoder
+from hapticplayer.capture.live.source import Samples
+from hapticplayer.capture.live.source_clock import (
+    COUNTED_SIGMA,
+    QUARTZ_SIGMA,
+    SourceClock,
+)
+from hapticplayer.clock import ManualClock
+from hapticplayer.errors import Message
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
+from hapticplayer.model.arrays import Floats
+from tests.material.sync_clips import PatClip, simulate_pats
+
+HOST_S = 5000.0
+"""Machine's time of the clip's beginning."""
+RATE_HZ, BAUD, SERIAL_PPM = 200.0, 115_200, 40.0
+BATCH_S, POLL_S, DELAY_S, LOST, PHONE_PPM = (
+    (0.001, 0.016),
+    0.1,
+    (0.002, 0.08),
+    0.02,
+    50.0,
+)
+USB_S, WAKE_UP_S = 0.001, 0.0005
+SETTLED_S = 10.0
+MOST_MS = {"serial": 5.0, "phone": 15.0}
+MOST_AFTER_MS = 3.0
+BUFFERS = {
+    ACCEL: ("acc_time", "accX", "accY", "accZ"),
+    RATE: ("gyr_time", "gyrX", "gyrY", "gyrZ"),
+}
+
+
+@dataclass(frozen=True)
+class Taken:
+    """What a source has given: samples, when they were taken, the clock's times so far."""
+
+    samples: Samples
+    true_s: Floats
+    so_far_s: Floats
+    clock: SourceClock
+
+
+class Batches:
+    """An adapter that hands over the bytes that were on the line by then."""
+
+    byte_s = 10.0 / BAUD
+
+    def __init__(self) -> None:
+        self.waiting = b""
+
+    def read(self, timeout_s: float) -> bytes:  # noqa: ARG002 - of the protocol
+        """What has come."""
+        data, self.waiting = self.waiting, b""
+        return data
+
+    def close(self) -> None:
+        """Nothing is held."""
+
+
+def resampled(clip: PatClip, true_s: Floats) -> Floats:
+    """The specific force of a clip at media times."""
+    imu = clip.imu
+    media_s = clip.clock_map.rate * imu.time_s + clip.clock_map.offset_s
+    force = imu.specific_force_mps2
+    return np.stack([np.interp(true_s, media_s, one) for one in force.T], axis=1)
+
+
+def wt901_frames(force: Floats) -> list[bytes]:
+    """The two frames of each sample, by an encoder of its own."""
+    counts = np.round(force * (32768.0 / 16.0 / STANDARD_GRAVITY_MPS2)).clip(
+        -32768, 32767
+    )
+    still = _with_sum(b"\x55\x52" + bytes(8))
+    return [
+        _with_sum(b"\x55\x51" + struct.pack("<4h", *row, 2500)) + still
+        for row in counts.astype(int).tolist()
+    ]
+
+
+def _with_sum(frame: bytes) -> bytes:
+    return frame + bytes((sum(frame) & 0xFF,))
+
+
+def serial(clip: PatClip, rng: np.random.Generator) -> Taken:
+    """Read a clip's motion through a serial port."""
+    step_s = 1.0 / RATE_HZ / (1.0 + SERIAL_PPM * 1e-6)
+    true_s = np.arange(0.0, clip.duration_s, step_s)
+    frames = wt901_frames(resampled(clip, true_s))
+    # each byte is on the line when the sample was taken and those before were sent
+    ends_s = true_s[:, None] + Batches.byte_s * np.arange(1, len(frames[0]) + 1)
+    stream, ends_s = b"".join(frames), ends_s.ravel()
+    clock, link = ManualClock(HOST_S), Batches()
+    count = SampleCount(None, (50.0, 100.0, 200.0))
+    source = ByteSource(link, Wt901Decoder(), clock, count, "serial", Message("none"))
+    found, at, batch_s = SourceClock(COUNTED_SIGMA), 0, 0.0
+    parts, times = [], []
+    while at < len(stream):
+        batch_s += rng.uniform(*BATCH_S)
+        end = int(np.searchsorted(ends_s, batch_s, side="right"))
+        link.waiting, at = stream[at:end], end
+        clock.sleep_until(HOST_S + batch_s + USB_S + rng.exponential(WAKE_UP_S))
+        _read(source.read(0.0), found, parts, times)
+    samples, so_far_s = _joined(parts), np.concatenate(times)
+    # the first samples measure the period: those that came are the last ones
+    return Taken(samples, true_s[len(true_s) - len(so_far_s) :], so_far_s, found)
+
+
+def _read(
+    samples: Samples, clock: SourceClock, parts: list[Samples], times: list[Floats]
+) -> None:
+    clock.add(samples.stamp_s, samples.arrival_s)
+    parts.append(samples)
+    times.append(clock.host_s(samples.stamp_s))
+
+
+def _joined(parts: list[Samples]) -> Samples:
+    return Samples(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+
+
+def phone(clip: PatClip, rng: np.random.Generator) -> Taken:
+    """Read a clip's motion from a phone over a slow link."""
+    ppm, begun_s = rng.uniform(-PHONE_PPM, PHONE_PPM), rng.uniform(1.0, 100.0)
+    true_s = np.arange(0.0, clip.duration_s, 1.0 / RATE_HZ)
+    stamp_s = begun_s + true_s * (1.0 + ppm * 1e-6)
+    force, still = resampled(clip, true_s), np.zeros((len(true_s), 3))
+    join, found = SensorJoin(), SourceClock(QUARTZ_SIGMA, 0.006)
+    parts: list[Samples] = []
+    times: list[Floats] = []
+    sent, arrived_s = 0, 0.0
+    for at_s in np.arange(POLL_S, clip.duration_s, POLL_S):
+        end = int(np.searchsorted(true_s, at_s, side="right"))
+        part, sent = slice(sent, end), end
+        if rng.random() < LOST:
+            continue
+        arrived_s = max(arrived_s, HOST_S + at_s + rng.uniform(*DELAY_S))
+        answer = phyphox_answer(stamp_s[part], force[part], still[part])
+        for sensor, stamp, values in phyphox_events(answer, BUFFERS, "phone"):
+            join.add(sensor, stamp, values, arrived_s)
+        _read(join.take(), found, parts, times)
+    samples = _joined(parts)
+    rows = np.searchsorted(stamp_s, samples.stamp_s - 1e-6)
+    return Taken(samples, true_s[rows], np.concatenate(times), found)
+
+
+def phyphox_answer(stamp_s: Floats, force: Floats, rate: Floats) -> bytes:
+    """An answer as the app writes it, by an encoder of its own."""
+    columns = {}
+    for (time, *axes), values in zip(BUFFERS.values(), (force, rate), strict=True):
+        columns[time] = stamp_s
+        columns |= dict(zip(axes, values.T, strict=True))
+    buffers = {
+        name: {"size": 0, "updateMode": "partial", "buffer": one.tolist()}
+        for name, one in columns.items()
+    }
+    return json.dumps({"buffer": buffers, "status": {"measuring": True}}).encode()
+
+
+def outcome(taken: Taken, clip: PatClip) -> dict[str, float]:
+    """The errors of one recording, ms."""
+    stamp_s = taken.samples.stamp_s
+    media_s = taken.clock.host_s(stamp_s) - HOST_S
+    is_settled = taken.true_s > SETTLED_S
+    so_far = taken.so_far_s[is_settled] - HOST_S - taken.true_s[is_settled]
+    log = ImuLog(media_s, taken.samples.accel_mps2, taken.samples.rate_radps)
+    found = synchronize(log, clip.audio, clip.audio_rate_hz, method="pats")
+    after_s = found.clock_map.rate * media_s + found.clock_map.offset_s
+    return {
+        "so_far": _p95_ms(so_far),
+        "at_end": _p95_ms(media_s - taken.true_s),
+        "after": _p95_ms(after_s - taken.true_s),
+        "stated": 1e3 * taken.clock.residual_s,
+        "is_confident": float(found.is_confident),
+    }
+
+
+def _p95_ms(error_s: Floats) -> float:
+    return float(1e3 * np.percentile(np.abs(error_s), 95))
+
+
+SOURCES = {"serial": serial, "phone": phone}
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("--clips", type=int, help="of 60 s, each source (40)")
+    parser.add_argument("--seed", type=int, default=200_000)
+
+
+def run(options: argparse.Namespace, report: Report) -> None:
+    """Record all clips from both sources."""
+    on_one_thread()
+    clips = options.clips or (6 if options.quick else 40)
+    rows: list[list[Any]] = []
+    for name, take in SOURCES.items():
+        found = []
+        for seed in range(options.seed, options.seed + clips):
+            clip = simulate_pats(seed, hard=False, rate_hz=200)
+            found.append(outcome(take(clip, np.random.default_rng(seed)), clip))
+        sure = [one for one in found if one["is_confident"]]
+        figures = {
+            "so_far_ms": _of(found, "so_far"),
+            "at_end_ms": _of(found, "at_end"),
+            "stated_ms": float(np.median([one["stated"] for one in found])),
+            "after_taps_ms": _of(sure, "after"),
+            "confident": len(sure),
+            "clips": clips,
+        }
+        report.figures[name] = figures
+        rows.append([name, *figures.values()])
+        report.target(
+            f"{name}: p95 at the end, ms", figures["at_end_ms"], ("<=", MOST_MS[name])
+        )
+        report.target(
+            f"{name}: p95 after taps, ms",
+            figures["after_taps_ms"],
+            ("<=", MOST_AFTER_MS),
+        )
+        report.target(f"{name}: taps found", len(sure) / clips, (">=", 0.9))
+    head = [
+        "source",
+        "so far",
+        "at the end",
+        "stated",
+        "after taps",
+        "confident",
+        "clips",
+    ]
+    report.table(
+        "p95 of the error of time stamps, ms: the 95 % of clips", head, rows, "live"
+    )
+
+
+def _of(found: list[dict[str, float]], key: str) -> float:
+    """The p95 over clips of their p95."""
+    return float(np.percentile([one[key] for one in found], 95))

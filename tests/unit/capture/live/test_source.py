@@ -1,0 +1,140 @@
+import numpy as np
+import pytest
+
+from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.live.source import (
+    OpenedSource,
+    Samples,
+    SourceLost,
+    SourceRow,
+    live_sources,
+    open_source,
+)
+from hapticplayer.clock import ManualClock
+from hapticplayer.errors import InputError, Message, UsageError
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
+
+
+class Sent:
+    """A source that gives what a test sends, once each."""
+
+    def __init__(self, *parts):
+        self.parts = list(parts)
+
+    def read(self, timeout_s):
+        return self.parts.pop(0)
+
+    def close(self):
+        """Nothing is held."""
+
+
+ROW = SourceRow("board", Message("A board"), "")
+
+
+@pytest.fixture(scope="module")
+def motion():
+    """A hand for 15 s, at rest for 5 s before, as a source sends it."""
+    imu = simulate_motion("handheld-brisk", 3, duration_s=15.0).imu
+    noise = np.random.default_rng(1).normal(0.0, 0.01, (2, 1000, 3))
+    accel = np.concatenate(
+        [imu.specific_force_mps2[0] + noise[0], imu.specific_force_mps2]
+    )
+    accel[:1000] *= 9.81 / np.linalg.norm(imu.specific_force_mps2[0])
+    rate = np.concatenate([noise[1], imu.angular_rate_radps])
+    time_s = np.arange(len(accel)) / 200.0
+    return Samples(time_s + 100.0, time_s, accel, rate)
+
+
+def opened(samples, **answers):
+    return OpenedSource("board:x", ROW, Sent(samples), LogChoices(**answers))
+
+
+def answer_of(question, start):
+    """The answer of a question that begins so, as a choice."""
+    words = next(one for one in question.answers if one.startswith(start))
+    key, _, value = words.split()[0].partition("=")
+    return {key.replace("-", "_"): value}
+
+
+def test_a_source_that_agrees_with_gravity_is_believed(motion):
+    source = opened(motion)
+    found = source.checked(source.read(0.0))
+    assert found.provenance["is_rate_compared"]
+    assert found.imu.specific_force_mps2 == pytest.approx(motion.accel_mps2, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("change", "key"),
+    [
+        (lambda s: s._replace(accel_mps2=s.accel_mps2 * 0.7), "accel-unit=1.4"),
+        (lambda s: s._replace(rate_radps=s.rate_radps * [-1, 1, 1]), "rate-axes="),
+        (
+            lambda s: s._replace(rate_radps=np.degrees(s.rate_radps)),
+            "rate-unit=deg/s",
+        ),
+    ],
+)
+def test_gravity_shows_a_wrong_answer_and_the_right_one_is_kept(motion, change, key):
+    wrong = change(motion)
+    source = opened(wrong)
+    with pytest.raises(LogQuestion, match=key) as asked:
+        source.checked(source.read(0.0))
+    source = opened(wrong, **answer_of(asked.value, key))
+    right = source.read(0.0)
+    assert right.accel_mps2 == pytest.approx(motion.accel_mps2, rel=0.02, abs=0.1)
+    assert right.rate_radps == pytest.approx(motion.rate_radps, rel=0.02, abs=0.1)
+    source.checked(right)
+
+
+def test_acceleration_without_gravity_is_refused(motion):
+    free = np.random.default_rng(2).normal(0.0, 1.5, motion.accel_mps2.shape)
+    source = opened(motion._replace(accel_mps2=free))
+    with pytest.raises(
+        InputError, match="gravity was removed; choose its acceleration"
+    ):
+        source.checked(source.read(0.0))
+
+
+def rows(*stamps):
+    return Samples.of((stamp, stamp, 0.0, 0.0, 9.8, 0.0, 0.0, 0.0) for stamp in stamps)
+
+
+def test_stamps_come_out_increasing_or_end_the_source():
+    source = OpenedSource(
+        "board:x",
+        ROW,
+        Sent(rows(1.0, 1.0, 1.2), rows(1.1, 1.3), rows(0.0)),
+        LogChoices(),
+    )
+    assert source.read(0.0).stamp_s.tolist() == [1.0, 1.2]
+    assert source.read(0.0).stamp_s.tolist() == [1.3]
+    with pytest.raises(SourceLost, match="its clock began anew"):
+        source.read(0.0)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, 1e300])
+def test_samples_that_no_sensor_reads_are_left_out(value):
+    samples = rows(1.0, 2.0, 3.0)
+    samples.accel_mps2[0, 1] = value
+    samples.rate_radps[1, 0] = value
+    read = OpenedSource("board:x", ROW, Sent(samples), LogChoices()).read(0.0)
+    assert read.stamp_s.tolist() == [2.0, 3.0]
+    assert np.isnan(read.rate_radps[0]).all()
+
+
+def test_an_unknown_source_and_a_missing_place_are_told():
+    with pytest.raises(
+        UsageError, match="the source 'wt9' not found; choose one of wt901"
+    ):
+        open_source("wt9:/dev/ttyUSB0", ManualClock())
+    with pytest.raises(
+        UsageError, match="needs a place; give one, such as --imu wt901:/dev"
+    ):
+        open_source("wt901", ManualClock())
+
+
+@pytest.mark.parametrize("row", live_sources(), ids=lambda row: row.name)
+def test_each_source_opens_by_its_row_or_says_what_to_do(row, tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    with pytest.raises((InputError, UsageError), match=r";|decide with|Allow"):
+        open_source(f"{row.name}:{tmp_path}/none,gain=1", ManualClock())
