@@ -15,6 +15,7 @@ PLACES = {
     "editing": "haptics.editing",
     "events": "haptics.events",
     "shaker": "haptics.shaker",
+    "feel": "haptics.feel",
     "sound_layer": "haptics.sound_layer",
 }
 sys.exit(command("haptics", __doc__, PLACES))
