@@ -18,9 +18,11 @@ from app.experimenter.import_wizard import ImportWizard
 from app.player.window import PlayerWindow
 from hapticplayer.errors import Progress
 from hapticplayer.haptics.contract import Cause
+from hapticplayer.installation import DEMO
+from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
-from hapticplayer.sequence.demo import demo_folder
 from hapticplayer.sequence.synchronizing import SyncChoices
+from hapticplayer.sequence.unpack import unpack
 
 Steps = Iterator[float]
 KEY, NO_KEY, LEFT = Qt.Key, Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton
@@ -60,8 +62,9 @@ class Person(QObject):
         self.doing = self.only = ""
         self.on_action: Callable[..., None] = lambda _name, *_causes: None
         self.on_check: Callable[[], None] = lambda: None
-        self.sequence = Path(demo_folder())
-        self.video, self.folder = self.sequence / "clip.mp4", folder
+        self.sequence = folder / "demo"
+        unpack(DEMO, self.sequence)
+        self.video, self.folder = open_sequence(self.sequence).clip, folder
         self._window, self._haste = window, haste
         self._dice = random.Random(seed)  # noqa: S311 - chance, not secrecy
         self._steps: Steps = iter(())

@@ -27,6 +27,9 @@ def shipped(place: str) -> Path:
 
 UDEV_RULE = shipped("packaging/udev/70-novint-falcon.rules")
 
+DEMO = shipped("resources/demo.mkv")
+"""A packed ride, made by `tools.demo`."""
+
 
 # No slots: the doctor must also start on the older Python that it then reports.
 @dataclasses.dataclass(frozen=True)

@@ -43,7 +43,6 @@ from hapticplayer.sequence.editing import MAX_TITLE, copy_changed, set_mapping
 from hapticplayer.sequence.excursion import excursion_texts
 from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.sequence.library import free_name
-from hapticplayer.storage import cache_root
 
 WIDTH_PX, HEIGHT_PX = 1080, 680
 _SETTLE_POLLS = 8
@@ -68,7 +67,6 @@ class RenderingPage(JobDialog):
         self._folder, self._title, self._library = folder, title, library
         self.before: RenderingResult | None = None
         self.after: RenderingResult | None = None
-        self._is_demo = cache_root() in folder.absolute().parents
         self._is_writing = self._is_due = False
         self._wait = 0  # polls until what was chosen is looked at
         self._wanted: tuple[Callable[[Progress], None], Callable[[None], None]] | None
@@ -161,8 +159,6 @@ class RenderingPage(JobDialog):
             self.tr("Render the realistic and the random track again"),
             "primary",
         )
-        if self._is_demo:
-            self.replace.setToolTip(self.tr("The demo stays as it is"))
         self.replace.clicked.connect(self.render_in_place)
         self._make_progress()
         return row_of(
@@ -226,7 +222,7 @@ class RenderingPage(JobDialog):
     def render_in_place(self) -> None:
         """Render the sequence itself again."""
         folder, change = self._folder, self._change()
-        if change is None or self._is_demo:
+        if change is None:
             return
 
         def done(_none: None) -> None:
@@ -304,7 +300,7 @@ class RenderingPage(JobDialog):
         if can_choose and not was_enabled:  # the focus left with the fields
             self.fields.preset.setFocus()
         self.copy.setEnabled(can_choose)
-        self.replace.setEnabled(can_choose and not self._is_demo)
+        self.replace.setEnabled(can_choose)
         self.progress.show_state(self.jobs.state())
         before, after = self.before, self.after
         notice = "" if self.status.text() else self.tr("Reading")

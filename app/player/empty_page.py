@@ -40,7 +40,7 @@ class EmptyPage(QWidget):
     def _buttons(self) -> QVBoxLayout:
         self.demo = text_button(
             self.tr("Play the demo"),
-            self.tr("A simulated ride; created on first use"),
+            self.tr("A simulated ride by bicycle"),
             "primary",
         )
         self.open = text_button(

@@ -8,10 +8,11 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from app.bridge.errors import Attempts, ErrorGateway, IsOver, Show
-from app.bridge.jobs import Jobs, in_child
+from app.bridge.jobs import Jobs
 from hapticplayer.errors import HapticPlayerError, Progress, UsageError, message_of
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.processes import Health
+from hapticplayer.installation import DEMO
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.latch import STOPPED
 from hapticplayer.playback.phases import Phase
@@ -92,13 +93,8 @@ class Session(QObject):
         self._run(self.tr("Making the force"), work)
 
     def open_demo(self) -> None:
-        """Open the built-in demo; it is made on first use."""
-        from hapticplayer.sequence.demo import demo_folder
-
-        def work(progress: Progress) -> Source:
-            return open_source(in_child(demo_folder, progress=progress))
-
-        self._run(self.tr("Preparing the demo"), work)
+        """Open the demo that comes with the program."""
+        self.open_path(DEMO)
 
     def _run(self, title: str, work: Callable[[Progress], Source]) -> None:
         if self.jobs.is_busy:

@@ -20,13 +20,13 @@ from hapticplayer.cli.common import (
     refuse_idle,
     say,
     say_aside,
-    shown_progress,
 )
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.records import is_record
 from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.installation import DEMO
 from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.model import ranges
 from hapticplayer.playback.conditions import with_feedback
@@ -175,10 +175,7 @@ def run(options: argparse.Namespace, open_window: OpenWindow | None) -> int:
     elif idle := [one for one in _OF_THE_WINDOW if one in options.given]:
         say_aside(f"there is no window here: {', '.join(idle)} has no effect")
     if not options.source:
-        from hapticplayer.sequence.demo import demo_folder
-
-        with shown_progress() as progress:
-            options.source = demo_folder(progress)
+        options.source = DEMO
     return play(options)
 
 

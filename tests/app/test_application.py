@@ -2,7 +2,6 @@
 
 import json
 import os
-import shutil
 import signal
 
 import pytest
@@ -11,7 +10,8 @@ from PySide6.QtWidgets import QApplication
 
 from app.player import application
 from app.player.window import PlayerWindow
-from hapticplayer import __version__, cli, storage
+from hapticplayer import cli
+from hapticplayer.installation import DEMO
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.phases import Phase
 
@@ -134,12 +134,7 @@ def test_fullscreen_and_no_plots_from_the_command_line(when_playing, sequence):
     assert seen == [(True, False), (True, False)]
 
 
-def test_without_a_source_the_demo_is_played(
-    when_playing, monkeypatch, sequence, tmp_path
-):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    made = storage.cache_home() / f"demo-{__version__}"
-    shutil.copytree(sequence, made)
+def test_without_a_source_the_demo_is_played(when_playing):
     opened = []
 
     def look(window):
@@ -148,7 +143,7 @@ def test_without_a_source_the_demo_is_played(
 
     when_playing(look)
     assert run() == 0
-    assert opened == [made]
+    assert opened == [DEMO]
 
 
 def test_a_damaged_clip_that_closes_at_the_end_is_a_failure(

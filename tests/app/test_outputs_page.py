@@ -1,7 +1,6 @@
 """More devices in the window: added, muted, tested, removed, and stopped by Escape."""
 
 import contextlib
-import shutil
 
 import faces
 import numpy as np
@@ -23,7 +22,7 @@ from app.player import application as program
 from app.player.device_form import output_text
 from app.player.outputs_page import OutputsPage, state_text
 from app.player.window import PlayerWindow
-from hapticplayer import __version__, cli, storage
+from hapticplayer import cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
@@ -382,11 +381,7 @@ def test_addresses_neither_leave_nor_come_with_settings(settings, tmp_path):
     assert outputs_of(other) == {"simulated": KeptOutput()}  # as at first
 
 
-def test_the_window_begins_with_what_was_chosen(
-    application, sequence, monkeypatch, tmp_path
-):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    shutil.copytree(sequence, storage.cache_home() / f"demo-{__version__}")
+def test_the_window_begins_with_what_was_chosen(application, monkeypatch):
     kept = Settings(default_path())
     kept.keep(OUTPUTS, {"simulated": {"muted": True, "gain": 0.5}})
     kept.save()

@@ -241,16 +241,6 @@ def test_a_damaged_sequence_is_told_of(make_page, tmp_path):
     assert not page.replace.isEnabled()
 
 
-def test_the_demo_stays_as_it_is(make_page, sequence, cache):
-    demo = shutil.copytree(sequence, cache / "hapticplayer" / "demo-of-a-test")
-    page = make_page(demo)
-    assert page.copy.isEnabled()
-    assert not page.replace.isEnabled()
-    page.render_in_place()
-    assert not page.jobs.is_busy
-    assert page.area.isEnabled()
-
-
 def test_closing_stops_the_work(page, monkeypatch, wait_for):
     stopped = threading.Event()
 

@@ -11,12 +11,12 @@ import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.cli import play
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import device_names
 from hapticplayer.doctor import ROOT
 from hapticplayer.model import ImuLog
 from hapticplayer.playback.log import PlaybackLog
-from hapticplayer.sequence import demo as demos
 from tests.e2e.command import (
     followed,
     forces_of,
@@ -151,7 +151,7 @@ def test_feedback_none_and_device_none(demo, tmp_path):
 @pytest.mark.realtime
 def test_without_a_display_the_demo_plays_headless(clip, monkeypatch):
     """Its clip is a shorter one here."""
-    monkeypatch.setattr(demos, "demo_folder", lambda _progress: clip)
+    monkeypatch.setattr(play, "DEMO", clip)
     done = hapticplayer()
     assert done.returncode == 0, done.stderr
     assert "lateness" in done.stdout

@@ -4,10 +4,13 @@ import tomllib
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from hapticplayer import installation
 from hapticplayer.errors import InputError, Message
+from hapticplayer.media.clip_info import probe
+from hapticplayer.sequence.packed import read_packed
 
 ROOT = installation.ROOT
 BUILD = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"][
@@ -79,3 +82,21 @@ def test_work_without_its_extra_is_refused_with_the_command(monkeypatch) -> None
     with pytest.raises(InputError, match="writing a report needs gone-package") as said:
         installation.require("study", Message("writing a report"))
     assert "-m pip install gone-package" in str(said.value)
+
+
+def test_the_demo_is_small_and_moves_in_three_ways() -> None:
+    """A rough road, bends and a hard stop, each where the film shows it."""
+    packed = read_packed(installation.DEMO)
+    assert installation.DEMO.stat().st_size < 5_000_000
+    assert packed is not None
+    assert packed.sequence.motion is not None
+    assert probe(packed.sequence.clip).duration_s == pytest.approx(30.0, abs=0.1)
+    motion = packed.sequence.motion
+    right, front, up = motion.acceleration_mps2.T
+    rough, bend, stop = (
+        (motion.time_s > begin_s) & (motion.time_s < end_s)
+        for begin_s, end_s in ((10.0, 15.0), (17.8, 24.0), (26.3, 28.5))
+    )
+    assert np.std(up[rough]) > 2.0
+    assert np.abs(right[bend]).max() > 4.0
+    assert front[stop].min() < -6.0

@@ -10,10 +10,11 @@ import numpy as np
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.extras.rides.recording import simulate, write_simulated_clip
+from hapticplayer.installation import DEMO
 from hapticplayer.sequence.build import build_sequence
-from hapticplayer.sequence.demo import demo_folder
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.import_preview import ImportPreview, preview_import
+from hapticplayer.sequence.unpack import unpack
 
 WIDE, HIGH = 384, 216
 SEED = 2012
@@ -54,7 +55,8 @@ class Material:
 
 def make_material(folder: Path) -> Material:
     """Make everything in an empty folder, in some seconds."""
-    demo = Path(demo_folder(progress=lambda _share, _step: None))
+    demo = folder / "demo"
+    unpack(DEMO, demo)
     video, log, other = (folder / n for n in ("ride.mp4", "log.csv", "other.csv"))
     ride, stranger = (simulate(scene, SEED) for scene in ("bike", "horse"))
     write_simulated_clip(replace(ride, width=WIDE, height=HIGH), video)

@@ -17,7 +17,7 @@ from hapticplayer.extras.rides.horse import ride_horse
 from hapticplayer.extras.rides.noise import Shaker
 from hapticplayer.extras.rides.pats import displacement, three_pats
 from hapticplayer.extras.rides.people import WALK, go_on_foot
-from hapticplayer.extras.rides.scenes import Scene, Vehicle, demo
+from hapticplayer.extras.rides.scenes import Scene, Vehicle, demo, tour
 from hapticplayer.extras.rides.script import (
     KNOT_HZ,
     Channel,
@@ -311,5 +311,9 @@ _RIDES = (
 RIDES: dict[str, Ride] = {ride.name: ride for ride in _RIDES}
 """Rides that are recorded by a camera and by a board with a clock of its own."""
 
-SCENES: dict[str, Callable[[np.random.Generator], Scene]] = {"demo": demo, **RIDES}
+SCENES: dict[str, Callable[[np.random.Generator], Scene]] = {
+    "demo": demo,
+    "tour": tour,
+    **RIDES,
+}
 """Scenes by name; `simulate` gives each a seeded generator."""

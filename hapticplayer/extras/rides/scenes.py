@@ -69,24 +69,55 @@ class Scene:
 
 def demo(rng: np.random.Generator) -> Scene:
     """A bicycle on a country road: away from rest, a bend, a kerb, a hard stop."""
-    duration_s = 10.0
-    time_s = np.arange(-_MARGIN_S, duration_s + _MARGIN_S, 1.0 / _DESIGN_HZ)
+    time_s = _times(10.0)
     speed = 5.0 * (smooth_step(time_s, 1.5, 3.2) - smooth_step(time_s, 7.75, 1.75))
     yaw = np.radians(75.0) * smooth_step(time_s, 3.7, 2.9)
     bumps = (Bump(6.70, 0.045), Bump(7.30, -0.045))
-    travel_m = integral(speed, 1.0 / _DESIGN_HZ)
+    title = "Bicycle: away, a bend, a kerb, a hard stop"
+    return _bicycle("demo", title, _Ride(time_s, speed, yaw, bumps), rng)
+
+
+def tour(rng: np.random.Generator) -> Scene:
+    """The demo that ships: bends, kerbs, a rough road and a hard stop in half a minute."""
+    time_s = _times(30.0)
+    speed = _steps(
+        time_s, (1.0, 3.0, 5.0), (15.2, 2.0, -1.2), (17.6, 2.6, 2.7), (26.3, 1.9, -6.5)
+    )
+    yaw = np.radians(
+        _steps(time_s, (4.2, 2.6, 70.0), (17.8, 2.8, -80.0), (20.9, 2.6, 60.0))
+    )
+    bumps = (Bump(7.80, 0.045), Bump(8.50, -0.045), Bump(24.6, 0.05), Bump(25.3, -0.05))
+    rough = _steps(time_s, (9.6, 0.5, 2.2), (15.0, 0.5, -2.2))
+    title = "Bicycle: bends, kerbs, a rough road, a hard stop"
+    ride = _Ride(time_s, speed, yaw, bumps, 1.0 + rough)
+    return _bicycle("tour", title, ride, rng)
+
+
+def _times(duration_s: float) -> Floats:
+    return np.arange(-_MARGIN_S, duration_s + _MARGIN_S, 1.0 / _DESIGN_HZ)
+
+
+def _steps(time_s: Floats, *steps: tuple[float, float, float]) -> Floats:
+    """The sum of smooth steps, each with start, length and height."""
+    total = np.zeros(len(time_s))
+    for start_s, length_s, height in steps:
+        total += height * smooth_step(time_s, start_s, length_s)
+    return total
+
+
+def _bicycle(name: str, title: str, ride: "_Ride", rng: np.random.Generator) -> Scene:
+    time_s, speed, yaw = ride.time_s, ride.speed, ride.yaw
     ahead = np.stack([-np.sin(yaw), np.cos(yaw)], axis=1)
     route_m = integral(speed[:, None] * ahead, 1.0 / _DESIGN_HZ)
-    ride = _Ride(time_s, speed, yaw, travel_m, bumps)
     position_m, angles_rad = ride.camera(route_m, rng)
     step = _DESIGN_HZ // _SPLINE_HZ
     return Scene(
-        name="demo",
-        title="Bicycle: away, a bend, a kerb, a hard stop",
-        duration_s=duration_s,
+        name=name,
+        title=title,
+        duration_s=round(time_s[-1] - _MARGIN_S),
         trajectory=Trajectory(time_s[::step], position_m[::step], angles_rad[::step]),
         wheel_hits=ride.wheel_hits(),
-        bumps=bumps,
+        bumps=ride.bumps,
         route_m=route_m,
         route_time_s=time_s,
         speed_mps=speed,
@@ -110,14 +141,12 @@ class _Ride:
         time_s: Floats,
         speed: Floats,
         yaw: Floats,
-        travel_m: Floats,
         bumps: tuple[Bump, ...],
+        roughness: Floats | float = 1.0,
     ) -> None:
-        self._time_s = time_s
-        self._speed = speed
-        self._yaw = yaw
-        self._travel_m = travel_m
-        self._bumps = bumps
+        self.time_s, self.speed, self.yaw, self.bumps = time_s, speed, yaw, bumps
+        self._travel_m = integral(speed, 1.0 / _DESIGN_HZ)
+        self._roughness = roughness  # of the road, asphalt is 1
 
     def camera(
         self, route_m: Floats, rng: np.random.Generator
@@ -128,23 +157,23 @@ class _Ride:
         slope = (front_m - rear_m) / _WHEELBASE_M
         pitch = _LOOK_DOWN_RAD + 0.5 * slope + self._nod()
         roll = self._lean() + self._sway()
-        right = np.stack([np.cos(self._yaw), np.sin(self._yaw)], axis=1)
+        right = np.stack([np.cos(self.yaw), np.sin(self.yaw)], axis=1)
         aside_m = _CAMERA_HEIGHT_M * np.sin(roll)
         height_m = _CAMERA_HEIGHT_M * np.cos(roll) + lift_m
         position = np.column_stack([route_m + aside_m[:, None] * right, height_m])
-        return position, np.stack([self._yaw, pitch, roll], axis=1)
+        return position, np.stack([self.yaw, pitch, roll], axis=1)
 
     def wheel_hits(self) -> tuple[tuple[float, float], ...]:
         """Return when the wheels meet the bumps and how loud it is."""
         hits = []
-        for bump in self._bumps:
+        for bump in self.bumps:
             hits += [(bump.time_s, 1.0), (self._rear_time_s(bump), 0.6)]
         return tuple(sorted(hits))
 
     def _rear_time_s(self, bump: Bump) -> float:
         """Return when the rear wheel has come to the edge."""
-        at_m = np.interp(bump.time_s, self._time_s, self._travel_m) + _WHEELBASE_M
-        return float(np.interp(at_m, self._travel_m, self._time_s))
+        at_m = np.interp(bump.time_s, self.time_s, self._travel_m) + _WHEELBASE_M
+        return float(np.interp(at_m, self._travel_m, self.time_s))
 
     def _wheels(self, rng: np.random.Generator) -> tuple[Floats, Floats]:
         """Return the heights of both wheels: rough asphalt and the edges."""
@@ -157,17 +186,17 @@ class _Ride:
         for behind_m in (0.0, _WHEELBASE_M):
             at_m = self._travel_m[:, None] - behind_m
             waves = np.sin(2.0 * np.pi * at_m / length_m + phase)
-            wheels.append(waves @ amplitude_m)
-        for bump in self._bumps:
+            wheels.append(self._roughness * (waves @ amplitude_m))
+        for bump in self.bumps:
             wheels[0] = wheels[0] + self._edge(bump.time_s, bump.height_m)
             wheels[1] = wheels[1] + self._edge(self._rear_time_s(bump), bump.height_m)
         return wheels[0], wheels[1]
 
     def _edge(self, hit_s: float, height_m: float) -> Floats:
         """Return the rise over an edge and the tyre's ringing after it."""
-        rise = smooth_step(self._time_s, hit_s, 0.11)
-        since_s = np.clip(self._time_s - hit_s, 0.0, None)
-        fade = smooth_step(self._time_s, hit_s, 0.15) * np.exp(-since_s / 0.16)
+        rise = smooth_step(self.time_s, hit_s, 0.11)
+        since_s = np.clip(self.time_s - hit_s, 0.0, None)
+        fade = smooth_step(self.time_s, hit_s, 0.15) * np.exp(-since_s / 0.16)
         return height_m * (rise + 0.22 * fade * np.sin(2.0 * np.pi * 6.5 * since_s))
 
     def _nod(self) -> Floats:
@@ -175,21 +204,19 @@ class _Ride:
 
         A damped oscillator of 1.6 Hz that the acceleration drives.
         """
-        thrust = np.gradient(self._speed, self._time_s)
+        thrust = np.gradient(self.speed, self.time_s)
         return _oscillator(0.010 * thrust, frequency_hz=1.6, damping=0.3)
 
     def _lean(self) -> Floats:
         """Return the roll into the bend: right side down is positive."""
-        yaw_rate = np.gradient(self._yaw, self._time_s)
-        leaning = np.arctan2(self._speed * yaw_rate, STANDARD_GRAVITY_MPS2)
+        yaw_rate = np.gradient(self.yaw, self.time_s)
+        leaning = np.arctan2(self.speed * yaw_rate, STANDARD_GRAVITY_MPS2)
         return -_LEAN_SHARE * leaning
 
     def _sway(self) -> Floats:
         """Return the rocking of hard pedalling while the bicycle gains speed."""
-        effort = smooth_step(self._time_s, 1.6, 0.8) - smooth_step(
-            self._time_s, 3.4, 1.2
-        )
-        turn = 2.0 * np.pi * _CADENCE_HZ * (self._time_s - 1.5)
+        effort = smooth_step(self.time_s, 1.6, 0.8) - smooth_step(self.time_s, 3.4, 1.2)
+        turn = 2.0 * np.pi * _CADENCE_HZ * (self.time_s - 1.5)
         return np.asarray(np.radians(2.2) * effort * np.sin(turn))
 
 
