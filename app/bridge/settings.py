@@ -41,7 +41,10 @@ THEME, LANGUAGE = "look", "language"
 OUTPUTS, MOST_OUTPUTS = "outputs", 16
 """Name in the settings: the outputs in order, each with what was chosen of it."""
 
-_PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES, OUTPUTS)
+RECORD = "record"
+"""Name in the settings: camera, microphone and sensor that were used last."""
+
+_PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES, OUTPUTS, RECORD)
 """Specific to this machine, or private: never exported, nor taken from others.
 
 An output may have an address on the network, which only its user enters.

@@ -78,7 +78,7 @@ class FilesPage(QWidget):
         self.problem = paragraph("", theme.BAD)
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
         self.suggestion = SuggestionBox()
-        self.question = _Question()
+        self.question = LogQuestionBox()
         self.question.answered.connect(self._answer)
         self.question.form_wanted.connect(self.open_form)
         self.how = text_button(
@@ -342,13 +342,13 @@ class FilesPage(QWidget):
             self.show_problem(problem)
 
 
-class _Question(QFrame):
+class LogQuestionBox(QFrame):
     """What is doubtful about a log, with the answers that are likely, and a form."""
 
     answered = Signal(list)
     form_wanted = Signal(dict)
 
-    def __init__(self) -> None:
+    def __init__(self, *, has_form: bool = True) -> None:
         super().__init__()
         self.setObjectName("question")
         self.setStyleSheet(
@@ -368,9 +368,11 @@ class _Question(QFrame):
             self.tr("Units, axes, signs and more, with a check against gravity"),
         )
         self.form.clicked.connect(lambda: self.form_wanted.emit(self._words()))
+        self.form.setVisible(has_form)
         buttons = row_of(STRETCH, self.form, self.take)
         parts = (self.text, self._choices, self.problem, buttons)
         column_of(*parts, margins=(9, 9, 9, 9), of=self)
+        self.hide()
 
     def ask(self, question: LogQuestion) -> None:
         """Put a question."""

@@ -40,6 +40,7 @@ from hapticplayer.capture.mounting import (
 )
 from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.model.arrays import Floats
+from hapticplayer.sequence.import_batch import title_of
 from hapticplayer.sequence.import_preview import ImportPreview
 from hapticplayer.sequence.library import free_name
 
@@ -244,15 +245,17 @@ class MountingPage(QWidget):
         is_right = shown and shown.is_clear and gravity_agrees(found.up, shown.axes)
         self._by_frames = shown if is_right else None
         axes = shown.axes if shown and is_right else proposed_mounting(found.up)
-        self.mounting.setCurrentIndex(self.mounting.findData(axes))
+        said = found.provenance.get("recording", {}).get("mounting", "")
+        at = self.mounting.findData(said)
+        self.mounting.setCurrentIndex(at if at >= 0 else self.mounting.findData(axes))
         self._on_mounting()
-        self.title.setText(found.clip.path.stem)
+        self.title.setText(title_of(found.clip.path))
 
     def show_suggested(self, video: Path) -> None:
         """Ask for rendering, title and place alone: nothing was mounted anywhere."""
         self._show_recording(is_recorded=False)
         self.rendering.lever_arm.setCurrentIndex(0)  # the recorder itself
-        self.title.setText(video.stem)
+        self.title.setText(title_of(video))
 
     def _show_recording(self, *, is_recorded: bool) -> None:
         for row in self._of_recording:

@@ -56,6 +56,7 @@ _OWN: tuple[Row, ...] = (
     Row("open_sequence", "&Open sequence\u2026", "file", 0, lambda w: w.dialogs.open_sequence(), ("Ctrl+O",), is_work=True),
     Row("open_video", "Open &video\u2026", "file", 0, lambda w: w.dialogs.open_video(), ("Ctrl+Shift+O",), is_work=True),
     Row("import_recording", "&Import a recording\u2026", "file", 0, lambda w: w.dialogs.import_recording(), ("Ctrl+I",), is_work=True),
+    Row("record", "Re&cord\u2026", "file", 0, lambda w: w.dialogs.record(w.clock), ("Ctrl+Shift+R",), is_work=True),
     Row("library", "Li&brary\u2026", "file", 0, lambda w: w.dialogs.library(w.clock), ("Ctrl+B",), is_work=True),
     Row("open_demo", "Open the &demo", "file", 1, lambda w: w.session.open_demo(), ("Ctrl+D",), is_work=True),
     Row("playlist", "&Playlist\u2026", "file", 1, lambda w: w.show_playlist(), ("Ctrl+Y",)),

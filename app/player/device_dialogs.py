@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from app.experimenter.import_queue import QueuePage
     from app.experimenter.import_wizard import ImportWizard
     from app.experimenter.library_page import LibraryPage
+    from app.experimenter.record_page import RecordPage
     from app.experimenter.rendering_page import RenderingPage
     from app.player.outputs_page import OutputsPage
     from app.player.setup_page import SetupPage
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
         | LibraryPage
         | QueuePage
         | OutputsPage
+        | RecordPage
         | RenderingPage
         | SetupPage
         | SharePage

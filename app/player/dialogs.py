@@ -3,6 +3,7 @@
 import importlib
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,8 +26,10 @@ from app.widgets.theme import icon
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
+from hapticplayer.model import Mapping
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.rendering import FEEDBACKS
+from hapticplayer.sequence.store import mapping_of
 
 if TYPE_CHECKING:
     from app.experimenter.import_queue import QueuePage
@@ -71,6 +74,7 @@ LATER = (
     "app.experimenter.import_queue",
     "app.experimenter.import_wizard",
     "app.experimenter.library_page",
+    "app.experimenter.record_page",
     "app.experimenter.rendering_page",
     "app.experimenter.study.editor",
     "app.experimenter.study.results",
@@ -165,6 +169,32 @@ class Dialogs(DeviceDialogs):
         wizard = self.import_recording(paths)
         wizard.play_wanted.connect(queue.accept)
         wizard.finished.connect(lambda _result: queue.note(paths, wizard.made))
+
+    def record(self, clock: Clock) -> None:
+        """Record here, and show the take back."""
+        from app.experimenter.record_feel import FeelSetup
+        from app.experimenter.record_page import RecordPage
+
+        player = self._session.player
+        self._lend()
+        now = player.snapshot()
+        described = now.source.description if now.source else None
+        mapping = mapping_of(described) if described else Mapping()
+        if mapping.moves_point:  # which needs what comes after
+            mapping = replace(mapping, lever_arm_m=(0.0, 0.0, 0.0))
+        setup = FeelSetup(
+            clock, now.leading.name, mapping, self.own_player, player.latch
+        )
+        page = RecordPage(self._settings, setup, self._window)
+        page.finished.connect(lambda _: self._take_back())
+        page.import_wanted.connect(self._import_take)
+        self._open_working(page)
+
+    def _import_take(self, folder: Path) -> None:
+        """Lead through the import of a take; without a sensor its frames tell."""
+        from hapticplayer.capture.recorded import parts_of
+
+        self.import_recording([folder], suggests=parts_of(folder).log is None)
 
     def library(self, clock: Clock) -> None:
         """Show the sequences that there are."""

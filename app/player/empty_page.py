@@ -13,12 +13,13 @@ _ICON_PX, _LEAST_ICON_PX = 72, 32  # a smaller one is left out
 
 
 class EmptyPage(QWidget):
-    """Five ways to begin."""
+    """Six ways to begin."""
 
     demo_clicked = Signal()
     open_clicked = Signal()
     library_clicked = Signal()
     import_clicked = Signal()
+    record_clicked = Signal()
     device_clicked = Signal()
 
     def __init__(self) -> None:
@@ -53,6 +54,10 @@ class EmptyPage(QWidget):
             self.tr("Import a recording\u2026"),
             self.tr("Create a sequence from a video and its motion data"),
         )
+        self.record = text_button(
+            self.tr("Record\u2026"),
+            self.tr("Record with a camera and a motion sensor"),
+        )
         self.device = text_button(
             self.tr("Choose a device\u2026"),
             self.tr("The haptic device to use; the simulated one needs no hardware"),
@@ -62,9 +67,10 @@ class EmptyPage(QWidget):
         self.open.clicked.connect(self.open_clicked)
         self.library.clicked.connect(self.library_clicked)
         self.import_recording.clicked.connect(self.import_clicked)
+        self.record.clicked.connect(self.record_clicked)
         rows = (
             (self.demo, self.open, self.library),
-            (self.import_recording, self.device),
+            (self.import_recording, self.record, self.device),
         )
         lines = [row_of(STRETCH, *row, STRETCH, spacing=10) for row in rows]
         return column_of(*lines, spacing=10)
@@ -87,7 +93,8 @@ class EmptyPage(QWidget):
 
     def set_busy(self, *, is_busy: bool) -> None:
         """Offer nothing while a piece of work runs."""
-        for button in (self.demo, self.open, self.library, self.import_recording):
+        working = (self.demo, self.open, self.library, self.import_recording)
+        for button in (*working, self.record):
             button.setEnabled(not is_busy)
 
 

@@ -195,6 +195,7 @@ class PlayerWindow(QMainWindow):
         page.demo_clicked.connect(session.open_demo)
         page.open_clicked.connect(self.dialogs.open_sequence)
         page.import_clicked.connect(self.dialogs.import_recording)
+        page.record_clicked.connect(self.commands.record.trigger)
         page.device_clicked.connect(self.commands.set_up_device.trigger)
         page.library_clicked.connect(self.commands.library.trigger)
         self._connect_commands()

@@ -150,7 +150,7 @@ class PlotPanel(QWidget):
 
     def _fill_row(self) -> None:
         self._row.addWidget(
-            _titled(
+            titled_plot(
                 translate("PlotPanel", "Acceleration, m/s\u00b2"),
                 (
                     translate("PlotPanel", "x right"),
@@ -159,10 +159,11 @@ class PlotPanel(QWidget):
                 ),
                 "",
                 self.acceleration,
+                SaveButton(self.acceleration),
             )
         )
         self._row.addWidget(
-            _titled(
+            titled_plot(
                 translate("PlotPanel", "Force, N"),
                 (
                     translate("PlotPanel", "x right"),
@@ -171,6 +172,7 @@ class PlotPanel(QWidget):
                 ),
                 translate("PlotPanel", "thin: planned"),
                 self.force,
+                SaveButton(self.force),
             )
         )
         self._row.addWidget(self._grip_box)
@@ -214,10 +216,14 @@ def panel_in_steps() -> Generator[None, None, PlotPanel]:
     return PlotPanel(acceleration, force)
 
 
-def _titled(
-    title: str, axes: tuple[str, str, str], note: str, plot: PlayheadPlot
+def titled_plot(
+    title: str,
+    axes: tuple[str, str, str],
+    note: str,
+    plot: PlayheadPlot,
+    tool: QWidget | None = None,
 ) -> QWidget:
-    """Return a plot under a line with its title and legend."""
+    """Return a plot under a line with its title and legend, and perhaps a button."""
     entries = "".join(
         f"&nbsp;&nbsp; <span style='color:{colour}'>\u25ac</span>&nbsp;{_unbroken(name)}"
         for name, colour in zip(axes, theme.AXIS_COLOURS, strict=True)
@@ -227,7 +233,7 @@ def _titled(
         if note
         else ""
     )
-    return _boxed(_headline(f"<b>{title}</b>{entries}{tail}"), plot, SaveButton(plot))
+    return _boxed(_headline(f"<b>{title}</b>{entries}{tail}"), plot, tool)
 
 
 def _headline(text: str) -> QLabel:

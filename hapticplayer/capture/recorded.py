@@ -125,10 +125,7 @@ def parts_of(folder: Path) -> Parts:
         raise InputError(
             "holds no video, only motion",
             where=str(folder),
-            remedy=Message(
-                "import a video with {option}, or record with --camera",
-                option=shell_line("--imu", folder / LOG),
-            ),
+            remedy="record with a camera (--camera), or import a video with this log (--imu)",
         )
     return Parts(folder / CLIP, folder if take.imu else None, take.mounting)
 

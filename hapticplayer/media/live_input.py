@@ -160,7 +160,7 @@ class LiveInput:
         return media_errors(
             self.name,
             Message(what),
-            Message("check its cable and its name (hapticplayer record --list)"),
+            Message("check its cable and its name (`hapticplayer record --list`)"),
         )
 
 

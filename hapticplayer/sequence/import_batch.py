@@ -8,6 +8,7 @@ from typing import NamedTuple
 from hapticplayer.capture.choices import LogChoices, LogQuestion, parse_choices
 from hapticplayer.capture.log_tables import header_of, kept_answers, kept_for
 from hapticplayer.capture.reading import find_format
+from hapticplayer.capture.recorded import is_take, parts_of
 from hapticplayer.capture.source import open_source
 from hapticplayer.errors import (
     HapticPlayerError,
@@ -55,9 +56,30 @@ class BroughtIn(NamedTuple):
 def items_of(paths: Iterable[Path]) -> list[Item]:
     """Return clips with their logs, from files and folders that were chosen together.
 
-    A single clip gets all logs; of several, each gets those of its name.
+    A single clip gets all logs; of several, each gets those of its name. A take that was
+    recorded here is its own log.
     """
-    files = list(dict.fromkeys(file for path in paths for file in _files(path)))
+    chosen = list(paths)
+    takes = [take for path in chosen for take in _takes(path)]
+    made = [Item(clip, (log,) if log else ()) for clip, log, _ in map(parts_of, takes)]
+    others = [path for path in chosen if not _takes(path)]
+    files = list(dict.fromkeys(file for path in others for file in _files(path)))
+    return made + _paired(files)
+
+
+def _takes(path: Path) -> list[Path]:
+    """A take, or those in a folder of takes."""
+    if is_take(path) or not path.is_dir():
+        return [path] if is_take(path) else []
+    return sorted(inside for inside in path.iterdir() if is_take(inside))
+
+
+def title_of(video: Path) -> str:
+    """The name of a clip; all takes have one of the same name in their folders."""
+    return video.parent.name if is_take(video.parent) else video.stem
+
+
+def _paired(files: list[Path]) -> list[Item]:
     clips = [file for file in files if _is_clip(file)]
     logs = [file for file in files if file not in clips]
     if len(clips) == 1:
@@ -164,9 +186,9 @@ def bring_in(
         logs = (beside,)
     folder = build_sequence(
         video,
-        free_name(library, video.stem),
+        free_name(library, title_of(video)),
         imu_log=logs or None,
-        choices=Choices(log=_known_answers(logs)),
+        choices=Choices(log=_known_answers(logs), mounting=_mounting(logs)),
         progress=lambda share, step: progress(_BUILDING * share, step),
     )
     verify_sequence(
@@ -174,6 +196,12 @@ def bring_in(
         lambda share, step: progress(_BUILDING + (1.0 - _BUILDING) * share, step),
     )
     return BroughtIn(folder, is_new=True)
+
+
+def _mounting(logs: tuple[Path, ...]) -> str:
+    """As a take says that its sensor was mounted."""
+    is_one = len(logs) == 1 and is_take(logs[0])
+    return parts_of(logs[0]).mounting if is_one else ""
 
 
 def _known_answers(logs: tuple[Path, ...]) -> LogChoices | None:

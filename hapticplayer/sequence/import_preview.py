@@ -264,7 +264,7 @@ def _turn_rates(imu: ImuLog, frames: FrameRotation | None) -> tuple[Curve, Curve
 
 
 def loudness_of(clip: Path) -> Curve:
-    """Return times (N,) in s and the loudness (N,) of a clip with sound.
+    """Return times (N,) in s and the loudness (N,) of a clip; none where it is silent.
 
     Raises:
         MediaError: when the sound cannot be read.
@@ -273,6 +273,8 @@ def loudness_of(clip: Path) -> Curve:
     from hapticplayer.capture.sync.synchronize import read_sound
 
     heard = read_sound(clip)
+    if not len(heard.samples):
+        return _NOTHING
     level = loudness(heard.samples, heard.rate_hz)
     return np.arange(len(level)) / 1000.0, np.asarray(level, dtype=float)
 

@@ -181,7 +181,7 @@ def sequence_of(
             name = description.clip.file
             clip = _check_file(folder, name, listed, with_checksum=False)
         tracks = _read_tracks(small, description.feedbacks, listed)
-        mapping = Mapping(**structs.asdict(description.mapping))
+        mapping = mapping_of(description)
         motion = None
         if MOTION in listed:
             motion = MotionTrack(**_motion_fields(small.arrays(MOTION, listed)))
@@ -321,6 +321,11 @@ def track_arrays(track: ForceTrack) -> dict[str, Any]:
         "force_n": track.force_n,
         "reconstruction": track.reconstruction.value,
     }
+
+
+def mapping_of(description: Description) -> Mapping:
+    """From motion to force, as a sequence was rendered."""
+    return Mapping(**structs.asdict(description.mapping))
 
 
 def describe_mapping(mapping: Mapping) -> MappingEntry:

@@ -158,17 +158,18 @@ def find_sync(
         return seen[-1]
 
     def hear() -> ClipSound:
-        if not clip.has_audio:
+        late_s = choices.sound_late_s
+        if late_s is None:
+            late_s = stored_skews().get(clip.camera, 0.0)
+        sound = read_sound(clip.path, late_s) if clip.has_audio else None
+        if sound is None or not len(sound.samples):
             raise InputError(
                 "it holds no sound, in which taps could be heard",
                 where=clip.path.name,
                 remedy="enter the media time at which the log's clock reads 0 (--offset S)",
             )
-        late_s = choices.sound_late_s
-        if late_s is None:
-            late_s = stored_skews().get(clip.camera, 0.0)
-        heard.append(read_sound(clip.path, late_s))
-        return heard[-1]
+        heard.append(sound)
+        return sound
 
     middle_s, own = 0.5 * clip.duration_s, recording.clock_map
     given = _given(clip, choices, middle_s)

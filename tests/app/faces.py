@@ -31,6 +31,7 @@ from PySide6.QtWidgets import (
     QTextEdit,
     QWidget,
 )
+from still_recorder import StillRecorder, overview, silent_source, take
 
 from app.editor.lanes import Lanes
 from app.editor.page import EditorPage
@@ -40,6 +41,8 @@ from app.experimenter.import_queue import QueuePage, State
 from app.experimenter.import_reading import ReadingPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
+from app.experimenter.record_feel import FeelSetup
+from app.experimenter.record_page import TAKE, Opened, RecordPage
 from app.experimenter.rendering_page import RenderingPage
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
@@ -67,6 +70,7 @@ from hapticplayer.devices.falcon.firmware import find_image
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
 from hapticplayer.errors import DeviceError, UsageError
+from hapticplayer.model import Mapping
 from hapticplayer.playback.player import Player
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.study.creation import create_study
@@ -109,6 +113,9 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "import-report": lambda: _import_at(REPORT, window, folder),
         "import-queue": lambda: _queue(window, folder),
         "import-reading": lambda: ReadingPage(_table(folder), {}, window),
+        "record": lambda: _record(window),
+        "record-live": lambda: _record_live(window),
+        "record-take": lambda: _record_take(window),
         "library-empty": lambda: LibraryPage(folder, window),
         "library": lambda: LibraryPage(_library(window), window),
         "effects": lambda: _editor(window),
@@ -182,6 +189,8 @@ def _outputs_in_test(window: PlayerWindow) -> OutputsPage:
 
 def close(face: QWidget) -> None:
     """Close a page, which goes with its next event."""
+    if isinstance(face, RecordPage):
+        face.close_jobs()  # it would ask
     face.close()
     if isinstance(face, WORKING):
         face.close_jobs()
@@ -238,6 +247,27 @@ def _editor_with_effect(window: PlayerWindow) -> EditorPage:
 
 def make_player(clock, sink, device) -> Player:
     return Player(clock, sink, outputs=[device], audio=None)
+
+
+def _record(window: PlayerWindow) -> RecordPage:
+    setup = FeelSetup(window.clock, "none", Mapping(), make_player, window.player.latch)
+    return RecordPage(window.settings, setup, window)
+
+
+def _record_live(window: PlayerWindow) -> RecordPage:
+    """Return the recorder while it records, and is asked about a sensor at once."""
+    page = _record(window)
+    page.on_started(Opened(StillRecorder(), silent_source()))
+    return page
+
+
+def _record_take(window: PlayerWindow) -> RecordPage:
+    page = _record(window)
+    page.take.show_take(take(), window.player.snapshot().source.clip.path)
+    page.take.show_overview(overview())
+    page.stack.setCurrentIndex(TAKE)
+    page.show_buttons()
+    return page
 
 
 def _library(window: PlayerWindow):

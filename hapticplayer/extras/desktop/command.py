@@ -118,7 +118,7 @@ def _write(path: Path, text: str) -> None:
         raise InputError(
             "cannot be written ({reason})",
             where=str(path),
-            remedy="choose another folder with --prefix",
+            remedy="choose another folder (--prefix)",
             reason=problem,
         ) from problem
 
