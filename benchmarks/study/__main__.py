@@ -4,5 +4,9 @@ import sys
 
 from benchmarks.common import command
 
-PLACES = {"kill": "study.kill", "analysis": "study.analysis"}
+PLACES = {
+    "kill": "study.kill",
+    "analysis": "study.analysis",
+    "ordinal": "study.ordinal",
+}
 sys.exit(command("study", __doc__, PLACES))

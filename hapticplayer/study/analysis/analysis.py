@@ -13,6 +13,7 @@ from hapticplayer.errors import Message, Progress
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
 from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
+from hapticplayer.study.analysis.ordinal_mixed import ORDINAL_LOGIT, ORDINAL_PROBIT
 from hapticplayer.study.analysis.question_report import question_summary
 from hapticplayer.study.analysis.rank_sum import MANN_WHITNEY
 from hapticplayer.study.analysis.rank_tests import SHAPIRO, WILCOXON
@@ -39,6 +40,8 @@ STATISTICS: dict[str, Statistic] = {
         CONOVER,
         MANN_WHITNEY,
         ALIGNED_RANKS,
+        ORDINAL_LOGIT,
+        ORDINAL_PROBIT,
     )
 }
 """To add a statistic, define a `Statistic` beside its function and list it here."""

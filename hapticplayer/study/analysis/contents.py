@@ -1,6 +1,7 @@
 """The contents of the report of ratings."""
 
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 from hapticplayer.study.analysis.analysis import (
     STATISTICS,
@@ -32,6 +33,7 @@ from hapticplayer.study.analysis.methods import (
     references,
     works,
 )
+from hapticplayer.study.analysis.ordinal_mixed import EFFECTS_FIGURE, known_effects
 from hapticplayer.study.analysis.scores import factors_figure
 from hapticplayer.study.analysis.statistic import (
     ReportColumn,
@@ -152,6 +154,22 @@ def _figures(analysis: Analysis) -> Iterator[ReportBlock]:
             f"Factors by feedback, means over the sequences. {shown}",
             _described({name: measures[name].feedbacks for name in factors}),
         )
+    if effects := known_effects(analysis.found):
+        yield ReportFigure(
+            EFFECTS_FIGURE,
+            "Differences between feedbacks in the mixed model of each item (logit), second less "
+            "first, with 95 % intervals.",
+            _effects_described(effects),
+        )
+
+
+def _effects_described(effects: Mapping[str, Mapping[str, Any]]) -> str:
+    pairs = (
+        f"{item}, {pair}: {number(part['estimate'])} {interval(part['interval'])}"
+        for item, one in effects.items()
+        for pair, part in one.items()
+    )
+    return f"Points with intervals. {'; '.join(pairs)}."
 
 
 def _described(groups: Mapping[str, Mapping[str, Summary]]) -> str:

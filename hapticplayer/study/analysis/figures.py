@@ -14,6 +14,7 @@ import numpy as np
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.analysis import Analysis
+from hapticplayer.study.analysis.ordinal_mixed import EFFECTS_FIGURE, known_effects
 from hapticplayer.study.analysis.scores import factors_figure
 from hapticplayer.study.definition import QOE
 
@@ -28,6 +29,8 @@ DPI = 150
 # Okabe and Ito: safe for colour blindness; hatches for print
 _COLOURS = ("#bbbbbb", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442")
 _HATCHES = ("", "//", "..", "xx", "\\\\", "++")
+_DARK = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#222222")
+_MARKERS = "osD^v*"
 _INK, _LINE, _MARK = "#222222", "#444444", "#a32020"
 _GROUP = 0.84  # share of the space between two groups
 _ASIDE = 0.18  # share of a bar by which error bars and lines are moved apart
@@ -52,6 +55,8 @@ def figures(analysis: Analysis) -> dict[str, "Figure"]:
     for limits, factors in scores.by_range().items():
         made = factors_by_feedback(analysis, factors, limits)
         found[factors_figure(scores, limits)] = made
+    if effects := known_effects(analysis.found):
+        found[EFFECTS_FIGURE] = effects_by_item(effects)
     return found
 
 
@@ -75,6 +80,42 @@ def factors_by_feedback(
     groups = {name: analysis.measures[name].sample.values for name in factors}
     label = f"rating ({limits[0]:g} to {limits[1]:g})"
     return _figure(groups, analysis.scores.feedbacks, label, limits)
+
+
+def effects_by_item(effects: dict[str, dict[str, Any]]) -> "Figure":
+    """Draw the differences of pairs in the mixed model, with their intervals.
+
+    Args:
+        effects: results of pairs, by item.
+    """
+    pairs = list(dict.fromkeys(name for one in effects.values() for name in one))
+    with new_panel("difference on the latent scale (logit)") as (figure, panel):
+        panel.axhline(0.0, color=_LINE, linewidth=1.0)
+        width = _GROUP / len(pairs)
+        for number, pair in enumerate(pairs):
+            aside = (number - (len(pairs) - 1) / 2.0) * width
+            known = [
+                (i, one[pair]) for i, one in enumerate(effects.values()) if pair in one
+            ]
+            values = np.array([part["estimate"] for _, part in known])
+            low, high = np.array([part["interval"] for _, part in known]).T
+            look: dict[str, Any] = {
+                "fmt": _MARKERS[number % len(_MARKERS)],
+                "capsize": 3,
+            }
+            look["color"] = _DARK[number % len(_DARK)]
+            at = np.array([i for i, _ in known]) + aside
+            panel.errorbar(
+                at, values, [values - low, high - values], label=pair, **look
+            )
+        panel.set_xticks(
+            range(len(effects)),
+            [textwrap.fill(name, _LETTERS // len(effects)) for name in effects],
+        )
+        figure.legend(
+            loc="outside upper center", ncols=min(len(pairs), 5), frameon=False
+        )
+    return figure
 
 
 def marked(figures: dict[str, "Figure"], mark: str) -> dict[str, "Figure"]:

@@ -1,5 +1,9 @@
 """The works that a report refers to, as they are printed."""
 
+CHRISTENSEN_2019 = (
+    "Christensen R. H. B. (2019). ordinal: regression models for ordinal data. R package, "
+    "version 2019.12-10."
+)
 CONOVER_1999 = (
     "Conover W. J. (1999). Practical Nonparametric Statistics, 3rd ed. Wiley."
 )
@@ -33,10 +37,18 @@ LEHMANN_1975 = (
     "Lehmann E. L. (1975). Nonparametrics: Statistical Methods Based on Ranks. "
     "Holden-Day."
 )
+LIDDELL_2018 = (
+    "Liddell T. M., Kruschke J. K. (2018). Analyzing ordinal data with metric models: what "
+    "could possibly go wrong? Journal of Experimental Social Psychology 79, 328-348."
+)
 MANN_1947 = (
     "Mann H. B., Whitney D. R. (1947). On a test of whether one of two random variables "
     "is stochastically larger than the other. Annals of Mathematical Statistics 18, "
     "50-60."
+)
+MCCULLAGH_1980 = (
+    "McCullagh P. (1980). Regression models for ordinal data. Journal of the Royal "
+    "Statistical Society B 42, 109-142."
 )
 NEMENYI_1963 = (
     "Nemenyi P. B. (1963). Distribution-free multiple comparisons. PhD thesis, "

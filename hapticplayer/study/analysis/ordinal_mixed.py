@@ -1,0 +1,230 @@
+"""Single items by a cumulative-link mixed model: feedbacks fixed, people and clips random.
+
+Answers on a scale are ordered, not numbers: the model says how far each feedback moves a
+latent opinion that the thresholds of the scale cut into answers (Liddell and Kruschke
+2018).
+"""
+
+import math
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+import scipy
+
+from hapticplayer.model.arrays import Floats
+from hapticplayer.study.analysis.cumulative_link import (
+    FittedModel,
+    LinkFunction,
+    OrderedAnswers,
+    fit,
+    level_shares,
+)
+from hapticplayer.study.analysis.references import (
+    CHRISTENSEN_2019,
+    LIDDELL_2018,
+    MCCULLAGH_1980,
+)
+from hapticplayer.study.analysis.scores import Sample
+from hapticplayer.study.analysis.statistic import (
+    Found,
+    Holm,
+    ReportColumn,
+    Statistic,
+    interval,
+    number,
+    p_value,
+)
+from hapticplayer.study.definition import QOE
+
+EFFECTS_FIGURE = "effects-by-item"
+MOST_LEVELS = 21
+"""Of an item; more steps are a number rather than an order."""
+_NORMAL_95 = float(scipy.stats.norm.isf(0.025))
+_FAR = 12.0
+"""A latent shift beyond this is no estimate: all answers lie at an end."""
+_LEAST_PEOPLE = 3
+
+
+def ordered_answers(values: Floats) -> OrderedAnswers | None:
+    """The answers (P, S, F) to an item, NaN where missing; None if no model fits them."""
+    people, sequences, feedbacks = np.nonzero(~np.isnan(values))
+    given = values[people, sequences, feedbacks]
+    steps, levels = np.unique(given, return_inverse=True)
+    if not 2 <= len(steps) <= MOST_LEVELS or (steps % 1.0).any():
+        return None
+    if len(set(people)) < _LEAST_PEOPLE or len(set(feedbacks)) < values.shape[2]:
+        return None
+    design = (feedbacks[:, None] == np.arange(1, values.shape[2])).astype(np.float64)
+    groups = tuple(
+        np.unique(group, return_inverse=True)[1]
+        for group in (people, sequences)
+        if len(set(group)) > 1
+    )
+    return OrderedAnswers(levels, design, groups)
+
+
+def compare(sample: Sample, link: LinkFunction) -> Found | None:
+    """Effect of the feedbacks on an item; None for a sum of items, or without a model.
+
+    `pairs` are differences on the latent scale, second less first; `at_cuts` the same
+    from the answers above and below each step of the scale alone, with the logit link.
+    """
+    is_item = sample.measure != QOE
+    answers = ordered_answers(sample.by_condition) if is_item else None
+    if answers is None:
+        return None
+    full, none = fit(answers, link), fit(_without_effects(answers), link)
+    chi2 = max(0.0, 2.0 * (full.log_likelihood - none.log_likelihood))
+    df = len(sample.feedbacks) - 1
+    shifts = (0.0, *full.effects)
+    return {
+        "n": len(answers.levels),
+        "log_likelihood": full.log_likelihood,
+        "chi2": chi2,
+        "df": df,
+        "p": None,
+        "p_all": float(scipy.stats.chi2.sf(chi2, df)),
+        "deviations": dict(
+            zip(("participant", "sequence"), full.deviations.tolist(), strict=False)
+        ),
+        "thresholds": full.thresholds.tolist(),
+        "shares": {
+            name: level_shares(full, shift, link).tolist()
+            for name, shift in zip(sample.feedbacks, shifts, strict=True)
+        },
+        "pairs": _pairs(sample, answers, full, link),
+    }
+
+
+def _without_effects(answers: OrderedAnswers) -> OrderedAnswers:
+    return OrderedAnswers(answers.levels, answers.design[:, :0], answers.groups)
+
+
+def _pairs(
+    sample: Sample, answers: OrderedAnswers, full: FittedModel, link: LinkFunction
+) -> dict[str, Found]:
+    steps = np.arange(1, answers.levels.max() + 1)[:, None]
+    cuts = [
+        fit(OrderedAnswers(above.astype(np.intp), answers.design, answers.groups), link)
+        for above in (answers.levels >= steps if link is LinkFunction.LOGIT else ())
+    ]
+    found = {}
+    for i, j in combinations(range(len(sample.feedbacks)), 2):
+        at_cuts = [_difference(one, i, j) for one in cuts]
+        known = [one["estimate"] for one in at_cuts if one["estimate"] is not None]
+        found[f"{sample.feedbacks[i]}-{sample.feedbacks[j]}"] = {
+            **_difference(full, i, j),
+            "at_cuts": [min(known), max(known)] if known else None,
+        }
+    return found
+
+
+def _difference(model: FittedModel, i: int, j: int) -> Found:
+    """Feedback j less i by Wald's interval and test; None where it is not determined."""
+    weights = np.zeros(len(model.effects) + 1)
+    weights[i], weights[j] = -1.0, 1.0
+    estimate = float(weights[1:] @ model.effects)
+    error = math.sqrt(max(0.0, float(weights[1:] @ model.covariance @ weights[1:])))
+    if not error > 0.0 or max(abs(estimate), error) > _FAR:
+        return dict.fromkeys(("estimate", "error", "interval", "z", "p"))
+    reach = _NORMAL_95 * error
+    return {
+        "estimate": estimate,
+        "error": error,
+        "interval": [estimate - reach, estimate + reach],
+        "z": estimate / error,
+        "p": float(2.0 * scipy.stats.norm.sf(abs(estimate) / error)),
+    }
+
+
+def _rows(found: Found | None) -> dict[str, Found]:
+    return {"": found, **found["pairs"]} if found else {}
+
+
+def _warnings(found: dict[str, Any]) -> list[str]:
+    return [
+        f"{measure}: the mixed model cannot estimate {pair}: nearly all answers of one of "
+        "them are at an end of the scale."
+        for measure, one in found.items()
+        for pair, part in (one or {"pairs": {}})["pairs"].items()
+        if part["estimate"] is None
+    ]
+
+
+def _methods(_found: dict[str, Any]) -> str:
+    return (
+        "Each item was analysed by a cumulative-link mixed model (logit link, and again with "
+        "probit; McCullagh, 1980) with the feedback as fixed effect, flexible thresholds, and crossed random "
+        "intercepts of participants and sequences, fitted by maximum likelihood with "
+        "Laplace's approximation (as clmm of R's ordinal; Christensen, 2019). The effect of "
+        "the feedback was tested by a likelihood ratio, pairs by Wald's z, with 95 % Wald "
+        "intervals. Ordered answers are not treated as numbers (Liddell and Kruschke, 2018)."
+    )
+
+
+def _odds(value: float | None) -> str:
+    return number(None if value is None else math.exp(value))
+
+
+def _statistic(link: LinkFunction) -> Statistic:
+    is_logit = link is LinkFunction.LOGIT
+    odds = ReportColumn("odds ratio", "estimate", _odds)
+    at_cuts = ReportColumn("at each cut", "at_cuts", interval)
+    return Statistic(
+        f"ordinal_{link.value}",
+        f"Single items: cumulative-link mixed model ({link.value})",
+        lambda sample, _: compare(sample, link),
+        of="item: pair",
+        columns=(
+            ReportColumn("n", "n", lambda n: "" if n is None else str(n)),
+            ReportColumn("chi²", "chi2"),
+            ReportColumn("df", "df", lambda df: "-" if df is None else str(df)),
+            ReportColumn("p (all)", "p_all", p_value),
+            ReportColumn("difference", "estimate"),
+            ReportColumn("95 % CI", "interval", interval),
+            *((odds,) if is_logit else ()),
+            ReportColumn("z", "z"),
+            ReportColumn("p", "p", p_value),
+            ReportColumn("p (Holm)", "p_holm", p_value),
+            *((at_cuts,) if is_logit else ()),
+        ),
+        note="Row of an item: likelihood ratio of all feedbacks. Difference: second feedback "
+        "less first, on the latent scale."
+        + (
+            " At each cut: smallest and largest of the same from each step of the scale "
+            "alone."
+            if is_logit
+            else ""
+        ),
+        assumes="The cumulative-link mixed model assumes that a feedback moves all steps of the scale "
+        "by the same latent amount (proportional odds), that people and sequences "
+        "differ by normally distributed amounts, and that answers are otherwise independent. Where "
+        "the differences at each cut have different signs, the first does not hold. Missing answers "
+        "may depend on feedback, person and sequence, but not on what would have been answered."
+        if is_logit
+        else "",
+        warn=_warnings if is_logit else lambda _found: (),
+        rows=_rows,
+        holm=Holm("p", "each measure"),
+        methods=_methods if is_logit else lambda _found: "",
+        references=(CHRISTENSEN_2019, LIDDELL_2018, MCCULLAGH_1980),
+    )
+
+
+def known_effects(found: dict[str, dict[str, Any]]) -> dict[str, dict[str, Found]]:
+    """The pairs with an estimate, by item, from the results of all statistics."""
+    by_item = {
+        item: {
+            pair: part
+            for pair, part in one["pairs"].items()
+            if part["estimate"] is not None
+        }
+        for item, one in found[ORDINAL_LOGIT.name].items()
+        if one
+    }
+    return {item: pairs for item, pairs in by_item.items() if pairs}
+
+
+ORDINAL_LOGIT = _statistic(LinkFunction.LOGIT)
+ORDINAL_PROBIT = _statistic(LinkFunction.PROBIT)
