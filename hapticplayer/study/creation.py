@@ -57,6 +57,22 @@ STUDY_TEMPLATES = (
             "whether both went together."
         ),
     ),
+    StudyTemplate(
+        "haptic-experience",
+        Message("Haptic experience"),
+        Message(
+            "The Haptic Experience Inventory (HXI) after each clip; its wording is to be "
+            "entered from your copy."
+        ),
+    ),
+    StudyTemplate(
+        "sickness",
+        Message("Motion sickness and vection"),
+        Message(
+            "Susceptibility (MSSQ-short) and symptoms (SSQ) before, sickness (FMS) and "
+            "vection after each clip, symptoms again at the end."
+        ),
+    ),
 )
 
 
@@ -216,6 +232,7 @@ def _template(name: str) -> dict[str, Any]:
 
     if "pages" in content:
         content["pages"] = [whole(one) for one in content["pages"]]
+    content["texts"] = {**found["texts"], **content.get("texts", {})}
     return {**found, **content}
 
 

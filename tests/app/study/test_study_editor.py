@@ -514,7 +514,7 @@ def test_a_scale_is_added_and_tells_what_is_to_be_worded(edit, tmp_path):
     ]
     problems = editor.draft.keep(editor.document.value)
     open_texts = [one for one in problems if one.field.startswith("pages")]
-    assert len(open_texts) == 20 + 2 * 20
+    assert len(open_texts) == 20
     assert not any(one.is_fatal for one in problems)
     total = pages[3].scores[-1]
     questions.select(("pages", 3, "scores", 3))
