@@ -3,11 +3,9 @@
 import argparse
 import json
 import math
-import sys
 from typing import Any
 
-from hapticplayer.capture.choices import parse_choices
-from hapticplayer.capture.live.source import OpenedSource, live_sources, open_source
+from hapticplayer.capture.live.source import OpenedSource
 from hapticplayer.cli.common import (
     add_number,
     add_outputs,
@@ -25,7 +23,8 @@ from hapticplayer.cli.play import (
     refuse_outputs,
     wanted_scheduling,
 )
-from hapticplayer.cli.recording_options import add_mounting, chosen_mounting
+from hapticplayer.cli.recording_options import chosen_mounting
+from hapticplayer.cli.source_options import add_source, opened_source
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import Mapping, ranges
@@ -38,22 +37,7 @@ _AT_REST_S = 0.1  # so that log and record show the force at rest
 def add_options(command: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     command.set_defaults(run=run)
-    command.add_argument(
-        "--imu",
-        metavar="SOURCE",
-        required=True,
-        help="NAME:PLACE, such as wt901:/dev/ttyUSB0 or csv:- (standard input); one of "
-        + ", ".join(row.name for row in live_sources()),
-    )
-    command.add_argument(
-        "--read-as",
-        action="append",
-        default=[],
-        metavar="KEY=VALUE",
-        help="what the source does not say of its numbers, such as accel-unit=g; asked "
-        "once and kept for it (see docs/formats.md)",
-    )
-    add_mounting(command)
+    add_source(command, is_required=True)
     add_mapping(command, is_live=True)
     add_outputs(command)
     add_number(
@@ -73,21 +57,11 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         raise UsageError("there is nothing to feel it with; name a --device")
     refuse_outputs(options)
     clock = SystemClock()
-    source = open_source(options.imu, clock, parse_choices(options.read_as), _ask)
-    if source.how:
-        say_aside(source.how)
+    source = opened_source(options, clock)
     try:
         return _felt(options, clock, source, mapping)
     finally:
         source.close()
-
-
-def _ask(question: Message) -> bool:
-    if not sys.stdin.isatty():
-        return False
-    sys.stderr.write(f"{question} [y/N] ")
-    sys.stderr.flush()
-    return sys.stdin.readline().strip().lower() in ("y", "yes")
 
 
 def _felt(

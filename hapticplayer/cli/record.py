@@ -6,19 +6,18 @@ import select
 import sys
 from typing import TextIO
 
-from hapticplayer.capture.choices import parse_choices
 from hapticplayer.capture.live.recorder import Recorder, RecorderState
-from hapticplayer.capture.live.source import LiveSource, live_sources, open_source
+from hapticplayer.capture.live.source import live_sources
 from hapticplayer.capture.recorded import read_take
 from hapticplayer.cli.common import add_number, say, say_aside, shown_progress
-from hapticplayer.cli.recording_options import add_mounting, chosen_mounting
+from hapticplayer.cli.recording_options import chosen_mounting
+from hapticplayer.cli.source_options import STANDARD_INPUT, add_source, opened_source
 from hapticplayer.clock import SystemClock
-from hapticplayer.errors import Message, UsageError, shell_line
+from hapticplayer.errors import UsageError, shell_line
 from hapticplayer.media.live_input import CAMERAS, MICROPHONES, device_names
 from hapticplayer.model import ranges
 
 _TICK_S = 0.1
-_STANDARD_INPUT = "csv:-"
 _SHOWN_GAPS = 20
 _EXAMPLES = {CAMERAS: "/dev/video0", MICROPHONES: "default"}
 
@@ -38,11 +37,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         metavar="NAME",
         help="a microphone, as --list shows it (default: without)",
     )
-    command.add_argument(
-        "--imu",
-        metavar="SOURCE",
-        help="NAME:PLACE, as --list shows it: wt901:/dev/ttyUSB0 (default: without)",
-    )
+    add_source(command)
     add_number(
         command,
         "--duration",
@@ -53,15 +48,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--list", action="store_true", help="list cameras, microphones and sources"
     )
-    command.add_argument(
-        "--read-as",
-        action="append",
-        default=[],
-        metavar="KEY=VALUE",
-        help="what the source does not say of its numbers, such as accel-unit=g; asked "
-        "once and kept for it (see docs/formats.md)",
-    )
-    add_mounting(command)
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
@@ -72,7 +58,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     if options.output is None:
         raise UsageError("give a new folder for the recording (-o DIR)")
     clock = SystemClock()
-    source = _opened(options, clock)
+    source = opened_source(options, clock) if options.imu else None
     recorder = Recorder(
         options.output,
         options.camera,
@@ -92,25 +78,8 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     return _report(recorder)
 
 
-def _opened(options: argparse.Namespace, clock: SystemClock) -> LiveSource | None:
-    if options.imu is None:
-        return None
-    source = open_source(options.imu, clock, parse_choices(options.read_as), _ask)
-    if source.how:
-        say_aside(source.how)
-    return source
-
-
-def _ask(question: Message) -> bool:
-    if not sys.stdin.isatty():
-        return False
-    sys.stderr.write(f"{question} [y/N] ")
-    sys.stderr.flush()
-    return sys.stdin.readline().strip().lower() in ("y", "yes")
-
-
 def _until_stopped(recorder: Recorder, options: argparse.Namespace) -> None:
-    heard = [] if options.imu == _STANDARD_INPUT else [sys.stdin]
+    heard = [] if options.imu == STANDARD_INPUT else [sys.stdin]
     told = 0
     with shown_progress() as progress:
         while True:

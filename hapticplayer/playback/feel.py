@@ -26,8 +26,8 @@ from hapticplayer.playback.player import Player
 from hapticplayer.rendering.force import mapped
 
 SLOW_HZ = 25.0
-"""A source that is slower is felt in steps, or as silent."""
-_READ_S, _JOIN_S, _RATE_OVER_S = 0.02, 2.0, 1.0
+"""A source that is read less often is felt in jerks, or as silent."""
+_READ_S, _JOIN_S, _RATE_OVER_S, _GONE_S = 0.02, 2.0, 1.0, 1.5
 _BEGINS_S = 3.0  # a source may take so long to begin
 _HELD_S = 0.1  # for which an angular rate also counts for samples without
 
@@ -102,9 +102,9 @@ class Feel:
         self._thread: threading.Thread | None = None
         self._stopping = threading.Event()
         self._newest: tuple[float, Vector, Vector] = (-np.inf, _ZERO, _ZERO)
-        self._counts: deque[tuple[float, int]] = deque()
+        self._reads: deque[tuple[float, int]] = deque()  # of the last second with any
         self._rate, self._rate_s = np.full(3, np.nan), -np.inf
-        self._samples, self._felt_s, self._heard_s = 0, 0.0, -np.inf
+        self._samples, self._felt_s, self._is_known = 0, 0.0, False
         self._began_s, self._problem = clock.now_s(), Message("")
 
     # --- commands ---------------------------------------------------------------
@@ -152,10 +152,9 @@ class Feel:
         """Make force of what was read now."""
         now_s = self._clock.now_s()
         count = len(samples.stamp_s)
-        self._count(now_s, count)
         if self._problem or not count:
             return
-        self._heard_s = now_s
+        self._count(now_s, count)
         samples = samples.in_frame_a(self._source.declares.axes)
         samples = samples.in_frame_a(self._mounting)
         try:
@@ -191,9 +190,10 @@ class Feel:
 
     def _count(self, now_s: float, count: int) -> None:
         self._samples += count
-        self._counts.append((now_s, count))
-        while self._counts[0][0] < now_s - _RATE_OVER_S:
-            self._counts.popleft()
+        self._reads.append((now_s, count))
+        while self._reads[0][0] < now_s - _RATE_OVER_S:
+            self._reads.popleft()
+            self._is_known = True
 
     def summary(self) -> dict[str, Any]:
         """What was measured and felt, for the end of a run."""
@@ -208,17 +208,18 @@ class Feel:
 
     def snapshot(self) -> FeelState:
         """What it does now."""
-        now_s = self._clock.now_s()
+        now_s, reads = self._clock.now_s(), tuple(self._reads)
         newest_s, acceleration, force = self._newest
-        phase = self._phase(now_s, newest_s)
+        heard_s = reads[-1][0] if reads else -np.inf
+        phase = self._phase(now_s, newest_s, heard_s)
         is_felt = phase is FeelPhase.FELT
+        is_jerky = self._is_known and len(reads) < SLOW_HZ * _RATE_OVER_S
+        is_gone = now_s - heard_s > _GONE_S
         since_s = now_s - _RATE_OVER_S
-        counted = sum(count for at_s, count in tuple(self._counts) if at_s > since_s)
-        lasted_s = min(_RATE_OVER_S, max(now_s - self._began_s, 0.1))
-        rate_hz = counted / lasted_s
+        rate_hz = sum(count for at_s, count in reads if at_s > since_s) / _RATE_OVER_S
         return FeelState(
             phase,
-            self._text(phase, rate_hz),
+            self._text(phase, is_jerky=is_jerky and not is_gone),
             1.0 if self._filter.is_ready else self._filter.rest_s / REST_S,
             rate_hz,
             acceleration if is_felt else _ZERO,
@@ -226,30 +227,31 @@ class Feel:
             self._filter.skipped,
         )
 
-    def _phase(self, now_s: float, newest_s: float) -> FeelPhase:
+    def _phase(self, now_s: float, newest_s: float, heard_s: float) -> FeelPhase:
         if self._problem:
             return FeelPhase.LOST
         if now_s - newest_s <= LIVE_VALID_S:
             return FeelPhase.FELT
         is_new = now_s - self._began_s < _BEGINS_S
-        is_heard = is_new or now_s - self._heard_s <= LIVE_VALID_S
+        is_heard = is_new or now_s - heard_s <= LIVE_VALID_S
         is_waiting = not self._filter.is_ready or newest_s == -np.inf
         return FeelPhase.WAITING if is_heard and is_waiting else FeelPhase.SILENT
 
-    def _text(self, phase: FeelPhase, rate_hz: float) -> Message | str:
+    def _text(self, phase: FeelPhase, *, is_jerky: bool) -> Message | str:
         if phase is FeelPhase.LOST:
             return self._problem
-        if phase is FeelPhase.SILENT:
-            return Message(
-                "nothing comes from the sensor: check its cable, power, range"
-            )
         if phase is FeelPhase.WAITING:
             return Message(
                 "lay the sensor down and let it rest for {rest_s:.1f} s", rest_s=REST_S
             )
-        if rate_hz < SLOW_HZ:
+        if is_jerky:
             return Message(
-                "{rate_hz:.0f} samples a second are felt in steps; set the sensor to 100",
-                rate_hz=rate_hz,
+                "the sensor is heard less than {slow_hz:.0f} times a second and felt in "
+                "jerks: set it to 100, or choose one that sends each sample at once",
+                slow_hz=SLOW_HZ,
+            )
+        if phase is FeelPhase.SILENT:
+            return Message(
+                "nothing comes from the sensor: check its cable, power, range"
             )
         return Message("move the sensor: the grip follows")

@@ -159,11 +159,19 @@ def test_a_long_silence_asks_for_another_rest(desk):
     assert desk.send(REST, seconds=1.7).phase is FeelPhase.FELT
 
 
-def test_a_slow_source_is_told_to_be_set_faster(desk):
-    for _ in range(12):
-        desk.clock.advance(0.08)
-        state = desk.send(REST)
-    assert "set the sensor to 100" in state.text
+@pytest.mark.parametrize("step_s", [0.08, 0.3], ids=["slow", "in-batches"])
+def test_a_source_in_jerks_says_so_until_it_is_silent(desk, step_s):
+    said = []
+    for _ in range(20):
+        desk.clock.advance(step_s)
+        desk.send(*[REST] * 10)
+        said.append(desk.feel_.snapshot().text)
+        desk.clock.advance(0.11)  # too long between two
+        said.append(desk.feel_.snapshot().text)
+    (only,) = set(said[20:])
+    assert "set it to 100" in only
+    desk.clock.advance(2.0)
+    assert "nothing comes" in desk.feel_.snapshot().text
 
 
 def test_a_source_that_is_lost_says_why():
