@@ -35,7 +35,7 @@ def add_actions(actions: Any) -> None:
         "--when",
         required=True,
         choices=[one.value for one in When],
-        help="before the first clip, after each one, or after the last",
+        help="before the first clip, before or after each one, or after the last",
     )
     adding.add_argument(
         "--key",

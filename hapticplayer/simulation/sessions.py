@@ -11,6 +11,7 @@ import numpy as np
 from hapticplayer.clock import Clock
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import (
+    OF_TRIALS,
     Condition,
     Definition,
     QuestionKind,
@@ -22,7 +23,7 @@ from hapticplayer.study.pages import PageMaker
 from hapticplayer.study.plan import describe
 from hapticplayer.study.questions import kind_of
 from hapticplayer.study.session_folder import ANSWERS
-from hapticplayer.study.steps import trial_step
+from hapticplayer.study.steps import BEFORE, trial_step
 from hapticplayer.study.study_folder import Study, begin_session
 
 Values = Mapping[str, Any]
@@ -47,12 +48,14 @@ def write_scripted_session(
     maker = PageMaker(definition, session.plan)
     journal = Journal(session.folder / ANSWERS, clock)
 
-    def answer(page: QuestionPage, values: Values, **of: Any) -> None:
+    def answer(
+        page: QuestionPage, values: Values, kind: str = "answers", **of: Any
+    ) -> None:
         names = [one.name for one in maker.asked(page)]
         given = {name: values[name] for name in names if name in values}
         if given:
             about = {"step": page.key, **of, "page": page.key}
-            journal.append("answers", **about, values=given)
+            journal.append(kind, **about, values=given)
 
     with _removed_on_failure([session.folder]), closing(journal):
         journal.append("begin", scripted=dict(origin))
@@ -60,6 +63,10 @@ def write_scripted_session(
             answer(page, sheet)
         for number, condition in enumerate(session.plan.order):
             values = rate(condition)
+            coming = {"step": trial_step(number + 1), "attempt": 1}
+            coming["condition"] = describe(condition)
+            for page in definition.pages_at(When.BEFORE_CLIP):
+                answer(page, values or {}, BEFORE, **coming)
             of = _write_trial(journal, number + 1, condition, values)
             for page in definition.pages_at(When.AFTER_CLIP):
                 answer(page, values or {}, **of)
@@ -107,7 +114,7 @@ def write_answers(
 
             def rate(condition: Condition, code: str = person.code) -> Values:
                 cell = found.get((code, condition.sequence, condition.feedback), {})
-                return _completed(study, cell, (When.AFTER_CLIP,), rng)
+                return _completed(study, cell, OF_TRIALS, rng)
 
             made = write_scripted_session(study, sheet, rate, clock, origin=origin)
             written.append(study.session_folder(made))
@@ -139,8 +146,8 @@ def _completed(
 
 
 def random_questions(definition: Definition, known: Collection[str]) -> list[str]:
-    """The questions after a clip that are answered at random."""
-    asked = definition.questions_at(When.AFTER_CLIP)
+    """The questions before and after a clip that are answered at random."""
+    asked = definition.questions_at(*OF_TRIALS)
     return [one.key for one in asked if one.key not in known]
 
 

@@ -13,6 +13,7 @@ from hapticplayer.errors import Message, Progress, StudyError
 from hapticplayer.structures import read_json
 from hapticplayer.study.conduct import Conduct, conduct_of
 from hapticplayer.study.definition import (
+    OF_TRIALS,
     Condition,
     Definition,
     Question,
@@ -260,7 +261,7 @@ def _others(
         for asked in definition.questions_at(when):
             if asked.key in keys or asked.kind is QuestionKind.TEXT:
                 continue
-            of_each = asked.for_each_feedback or when is When.AFTER_CLIP
+            of_each = asked.for_each_feedback or when in OF_TRIALS
             for feedback in feedbacks if of_each else ("",):
                 values = [v for one in collected for v in one.given(asked, feedback)]
                 text = definition.wording(asked, language)
@@ -320,7 +321,7 @@ class _SessionAnswers:
         self._rated = rated
         self._values: dict[str, Any] = {}
         for page in session.definition.pages:
-            if page.when is not When.AFTER_CLIP:
+            if page.when not in OF_TRIALS:
                 self._values |= page_values(session.records, page.key)
         self._trials: dict[Condition, AnsweredTrial] = {}
         self.repeated = 0

@@ -72,8 +72,13 @@ class When(enum.StrEnum):
     """When a page of questions is shown."""
 
     BEFORE = "before"
+    BEFORE_CLIP = "before-clip"
     AFTER_CLIP = "after-clip"
     AFTER = "after"
+
+
+OF_TRIALS = (When.BEFORE_CLIP, When.AFTER_CLIP)
+"""When pages are shown once for each clip."""
 
 
 class OrderMethod(enum.StrEnum):
@@ -425,7 +430,7 @@ class Definition(JsonObject, frozen=True):
         """About how long a session takes, in steps of 5 minutes."""
         trials = self.conditions
         asked = len(self.questions_at(When.BEFORE, When.AFTER))
-        asked += len(trials) * len(self.questions_at(When.AFTER_CLIP))
+        asked += len(trials) * len(self.questions_at(*OF_TRIALS))
         played_s = sum(clip_s[trial.sequence] for trial in trials)
         all_s = played_s + asked * ANSWER_S + DEMONSTRATION_S
         return 5 * max(1, round(all_s / 300.0))

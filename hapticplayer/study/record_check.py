@@ -20,7 +20,7 @@ from hapticplayer.study.journal import JournalRecord, Records
 from hapticplayer.study.pages import AskedQuestion, PageMaker
 from hapticplayer.study.plan import Plan
 from hapticplayer.study.questions import kind_of
-from hapticplayer.study.steps import pages_of, position_of
+from hapticplayer.study.steps import BEFORE, pages_before, pages_of, position_of
 
 _Count = Annotated[int, Meta(ge=0, le=10**9)]
 _Number = Annotated[float, Meta(ge=-1e9, le=1e9)]
@@ -107,6 +107,7 @@ _KINDS: dict[str, type[Struct]] = {
     "trial-begin": _OfTrial,
     "trial": _Trial,
     "answers": _Answers,
+    BEFORE: _TrialAnswers,
     "replay": _Replay,
     "end": _End,
 }
@@ -202,7 +203,8 @@ class _RecordCheck:
     def _answers(
         self, record: JournalRecord, found: _Answers, notify: Callable[[str], None]
     ) -> JournalRecord:
-        pages = {page.key for page in pages_of(self._definition, found.step)}
+        pages_in = pages_before if record.kind == BEFORE else pages_of
+        pages = {page.key for page in pages_in(self._definition, found.step)}
         if position_of(found.step) or not pages:
             trial = _read(record, _TrialAnswers)
             self._refuse_other_trial(trial.step, trial.condition)

@@ -13,25 +13,24 @@ from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message, StudyError, message_of
 from hapticplayer.storage import StorageError
 from hapticplayer.study.definition import Condition, QuestionPage
-from hapticplayer.study.journal import Journal, JournalRecord
+from hapticplayer.study.journal import Journal
 from hapticplayer.study.pages import Page, PageKind, PageMaker, check_answers
 from hapticplayer.study.plan import describe
 from hapticplayer.study.session_folder import ANSWERS, SessionState
 from hapticplayer.study.stage import PlaybackResult, TrialStage
 from hapticplayer.study.steps import (
+    BEFORE,
     CONSENT,
     DEMONSTRATION,
-    FIRST_FRAME,
-    MARKED,
     answered_pages,
     attempts_of,
-    marker_text,
+    pages_before,
     pages_of,
     position_of,
     steps_done,
     steps_of,
 )
-from hapticplayer.study.streams import Observer
+from hapticplayer.study.streams import Markers, Observer
 from hapticplayer.study.study_folder import Study, save_consent
 
 END = "end"
@@ -94,18 +93,17 @@ class SessionRunner:
         self.study, self.stage = study, stage
         self.problem = ""
         self.last_trial: PlaybackResult | None = None
-        self._clock, self._observer = clock, observer
-        self._conditions = session.plan.order
+        self._clock, self._conditions = clock, session.plan.order
+        self._markers = Markers(observer, session.plan.order)
         self.minutes = self.definition.expected_min(stage.clip_s)
         self.maker = PageMaker(self.definition, self.plan, self.minutes)
         self._steps = steps_of(self.definition, len(self._conditions))
         self._journal = Journal(session.folder / ANSWERS, clock)
         records = study.session(code).records  # as they are now that it is locked
         self._done = steps_done(records, self.definition)
-        self._answered = answered_pages(records)
+        self._answered = answered_pages(records, ("answers", BEFORE))
         self._attempts = {s: attempts_of(records, s) for s in self._steps}
         self._again = ""
-        self._is_first_frame_told = False
         self._mode, self._before_pause = StepMode.AT_PAGE, StepMode.AT_PAGE
         self._before_problem = StepMode.AT_PAGE
         self._pending: list[Callable[[], None]] = []
@@ -124,8 +122,9 @@ class SessionRunner:
         except StudyError:
             self._journal.close()
             raise
-        self._tell(record)
-        if any(key[:2] == (self.step, self.attempt) for key in self._answered):
+        self._markers.record(record)
+        of, pages = (self.step, self.attempt), pages_of(self.definition, self.step)
+        if any((*of, page.key) in self._answered for page in pages):
             self._ask()  # the pages that are left, without the clip
         else:
             self._enter()
@@ -162,15 +161,22 @@ class SessionRunner:
     @property
     def _asking(self) -> QuestionPage | None:
         """The page of questions of this step that is to be answered next."""
-        of, pages = (self.step, self.attempt), pages_of(self.definition, self.step)
-        left = (page for page in pages if (*of, page.key) not in self._answered)
-        return next(left, None)
+        pages_at = pages_before if self._is_before_clip else pages_of
+        of = self.step, self.attempt + self._is_before_clip
+        pages = pages_at(self.definition, self.step)
+        return next((p for p in pages if (*of, p.key) not in self._answered), None)
+
+    @property
+    def _is_before_clip(self) -> bool:
+        """Whether the clip of this step is still to be started."""
+        return self.condition is not None and self._mode is StepMode.AT_PAGE
 
     def _kind(self) -> PageKind:
         if self._mode is StepMode.AT_PAGE:
             if self._is_complete is not None:
                 return PageKind.THANKS if self._is_complete else PageKind.STOPPED
-            other = PageKind.READY if self.condition else PageKind.QUESTIONS
+            is_ready = self.condition is not None and self._asking is None
+            other = PageKind.READY if is_ready else PageKind.QUESTIONS
             return _AT_STEP.get(self.step, other)
         return _IN_MODE[self._mode]
 
@@ -202,16 +208,21 @@ class SessionRunner:
             StudyError: for an answer that is missing or not allowed; nothing is stored and
                 the page stays.
         """
-        page = self._expect(PageKind.QUESTIONS)
+        page, of, kind = self._expect(PageKind.QUESTIONS), self._step_name(), "answers"
+        if self._is_before_clip:
+            of, kind = of | {"attempt": self.attempt + 1}, BEFORE
 
         def answered() -> None:
-            self._answered.add((self.step, self.attempt, page.key))
-            (self._ask if self._asking else self._complete_step)()
+            self._answered.add((self.step, of.get("attempt", 0), page.key))
+            if kind == BEFORE:
+                self._next_page()
+            else:
+                (self._ask if self._asking else self._complete_step)()
 
         self._store(
-            "answers",
+            kind,
             answered,
-            **self._step_name(),
+            **of,
             page=page.key,
             values=check_answers(page.questions, values),
             response_s=round(self._clock.now_s() - self._shown_s, 3),
@@ -285,8 +296,7 @@ class SessionRunner:
         """Repeat the current trial, or the last one if it has not started yet."""
         if self.is_over or self._mode is StepMode.PROBLEM:
             return
-        step = self._trial_to_repeat()
-        if not step:
+        if not (step := self._trial_to_repeat()):
             return
         if self._mode is StepMode.PLAYING:
             self._interrupt("repeated")
@@ -354,7 +364,7 @@ class SessionRunner:
     def poll(self) -> None:
         """Check whether a clip has ended."""
         if self._mode is StepMode.PLAYING:
-            self._tell_first_frame()
+            self._markers.first_frame(self.step, self.attempt, self.stage.first_frame_s)
         is_playing = self._mode in (StepMode.PLAYING, StepMode.SHOWING)
         if is_playing and self.stage.is_stopped:
             self.halt("force_stopped")
@@ -380,7 +390,7 @@ class SessionRunner:
         except StudyError as problem:
             self._fail(problem, lambda: self._store(kind, then, **content))
         else:
-            self._tell(record)
+            self._markers.record(record)
             then()
 
     def _fail(self, problem: InputError, again: Callable[[], None]) -> None:
@@ -400,7 +410,7 @@ class SessionRunner:
             return
         if self.condition is not None:
             self.stage.prepare(self.condition)
-        self._mark(f"{self.step} page")
+        self._markers.mark(f"{self.step} page", self._clock.now_s())
         self._next_page()
 
     def _is_held(self) -> bool:
@@ -423,7 +433,6 @@ class SessionRunner:
     def _play(self) -> None:
         self._mode = StepMode.PLAYING
         self.stage.begin()
-        self._is_first_frame_told = False
         self._next_page()
 
     def _show(self) -> None:
@@ -433,7 +442,7 @@ class SessionRunner:
 
     def _finish_trial(self, then: Callable[[], None], *reasons: str) -> None:
         played = self.last_trial = self.stage.played(*reasons)
-        self._tell_first_frame()
+        self._markers.first_frame(self.step, self.attempt, self.stage.first_frame_s)
         self._store(
             "trial",
             then,
@@ -445,7 +454,7 @@ class SessionRunner:
 
     def _ask(self) -> None:
         self._mode = StepMode.ASKING
-        self._mark(f"{self.step} questions")
+        self._markers.mark(f"{self.step} questions", self._clock.now_s())
         self._next_page()
 
     def _pause(self, reason: str) -> None:
@@ -476,22 +485,3 @@ class SessionRunner:
             self._next_page()
 
         self._store("end", ended, complete=is_complete, reason=reason, by=by)
-
-    def _tell(self, record: JournalRecord) -> None:
-        """Hand a record to the observer as a marker, with its own time."""
-        if self._observer is not None and record.kind in MARKED:
-            step = str(record.content.get("step") or "")
-            text = marker_text(step, MARKED[record.kind], self._conditions)
-            self._observer.marker(text, record.monotonic_s)
-
-    def _tell_first_frame(self) -> None:
-        shown_s = self.stage.first_frame_s
-        if self._is_first_frame_told or shown_s is None or self._observer is None:
-            return
-        self._is_first_frame_told = True
-        text = marker_text(self.step, FIRST_FRAME, self._conditions)
-        self._observer.marker(text, shown_s)
-
-    def _mark(self, text: str) -> None:
-        if self._observer is not None:
-            self._observer.marker(text, self._clock.now_s())

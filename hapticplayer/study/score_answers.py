@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from hapticplayer.study.definition import (
+    OF_TRIALS,
     Definition,
     QuestionPage,
     Score,
@@ -74,7 +75,7 @@ def collect_scores(
 ) -> Iterator[ScoreAnswers]:
     """Yield the scores of all pages, in the order of the definition."""
     for when in When:
-        of = definition.feedback_keys if when is When.AFTER_CLIP else ("",)
+        of = definition.feedback_keys if when in OF_TRIALS else ("",)
         for page in definition.pages_at(when):
             scoring = PageScores(page)
             for feedback in of if page.scores else ():

@@ -67,6 +67,8 @@ MARKED = {
 }
 """What records are called as markers for other programs, by their kind."""
 FIRST_FRAME = "first frame"
+BEFORE = "answers-before"
+"""The kind of a record: answers to a page before a clip, with the coming attempt."""
 
 
 def marker_text(step: str, what: str, order: Sequence[Condition]) -> str:
@@ -87,18 +89,25 @@ def steps_of(definition: Definition, trials: int) -> list[str]:
     ]
 
 
+def pages_before(definition: Definition, step: str) -> tuple[QuestionPage, ...]:
+    """The pages of questions before the clip of a step."""
+    return definition.pages_at(When.BEFORE_CLIP) if position_of(step) else ()
+
+
 def pages_of(definition: Definition, step: str) -> tuple[QuestionPage, ...]:
-    """The pages of questions of a step."""
+    """The pages of questions of a step; of a trial those after its clip."""
     if position_of(step):
         return definition.pages_at(When.AFTER_CLIP)
     return tuple(page for page in definition.pages if page.key == step)
 
 
-def answered_pages(records: Records) -> set[tuple[str, int, str]]:
+def answered_pages(
+    records: Records, kinds: Sequence[str] = ("answers",)
+) -> set[tuple[str, int, str]]:
     """The pages that were answered: step, attempt (0 where there is none), key."""
     found = set()
     for record in records.intact:
-        if record.kind == "answers" and (one := _read(record.content, _Page)):
+        if record.kind in kinds and (one := _read(record.content, _Page)):
             found.add((one.step, one.attempt, one.page))
     return found
 
@@ -141,8 +150,12 @@ def page_values(records: Records, page: str) -> Mapping[str, Any]:
 def answered_trials(records: Records) -> Iterator[AnsweredTrial]:
     """Yield the answered trials, in the order of their first answers."""
     played: dict[tuple[str, int], _Played] = {}
+    before: dict[tuple[str, int], dict[str, Any]] = {}
     found: dict[tuple[str, int], AnsweredTrial] = {}
     for record in records.intact:
+        if record.kind == BEFORE and (asked := _read(record.content, _Answered)):
+            of = before.setdefault((asked.step, asked.attempt), {})
+            of |= asked.values
         if record.kind == "trial" and (trial := _read(record.content, _Played)):
             played[trial.step, trial.attempt] = trial
         if record.kind == "answers" and (answered := _read(record.content, _Answered)):
@@ -150,6 +163,7 @@ def answered_trials(records: Records) -> Iterator[AnsweredTrial]:
             if position is not None:
                 made = _trial(position, answered, played)
                 key = answered.step, answered.attempt
+                made = replace(made, values={**before.get(key, {}), **made.values})
                 found[key] = _joined(found[key], made) if key in found else made
     yield from found.values()
 

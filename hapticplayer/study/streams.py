@@ -1,5 +1,6 @@
 """Streams of a session for other programs, while it runs; extras have them."""
 
+from collections.abc import Sequence
 from typing import NamedTuple, Protocol, cast
 
 import numpy as np
@@ -7,6 +8,9 @@ from numpy.typing import NDArray
 
 from hapticplayer import extension
 from hapticplayer.errors import StudyError
+from hapticplayer.study.definition import Condition
+from hapticplayer.study.journal import JournalRecord
+from hapticplayer.study.steps import FIRST_FRAME, MARKED, marker_text
 
 
 class Observer(Protocol):
@@ -26,6 +30,31 @@ class StudyStream(Observer, Protocol):
 
     def close(self) -> None:
         """End the stream."""
+
+
+class Markers:
+    """Tells an observer what happens in a session, with the times of its records."""
+
+    def __init__(self, observer: Observer | None, order: Sequence[Condition]) -> None:
+        self._observer, self._order = observer, order
+        self._begun = ("", 0)  # the trial whose first frame is told
+
+    def record(self, record: JournalRecord) -> None:
+        """Tell a record of a kind that has a marker."""
+        if record.kind in MARKED:
+            step = str(record.content.get("step") or "")
+            text = marker_text(step, MARKED[record.kind], self._order)
+            self.mark(text, record.monotonic_s)
+
+    def first_frame(self, step: str, attempt: int, shown_s: float | None) -> None:
+        """Tell once when the first frame of a trial was shown, if it was."""
+        if shown_s is not None and self._begun != (step, attempt):
+            self._begun = (step, attempt)
+            self.mark(marker_text(step, FIRST_FRAME, self._order), shown_s)
+
+    def mark(self, text: str, monotonic_s: float) -> None:
+        if self._observer is not None:
+            self._observer.marker(text, monotonic_s)
 
 
 class StreamKind(NamedTuple):

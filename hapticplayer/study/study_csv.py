@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from hapticplayer import storage
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import (
+    OF_TRIALS,
     Definition,
     Question,
     QuestionKind,
@@ -307,7 +308,7 @@ def _texts(answers: Answers) -> DataTable:
 
 
 def _trials(data: StudyData) -> DataTable:
-    given = answer_columns(data.definition, When.AFTER_CLIP, taken=_TRIAL_COLUMNS)
+    given = answer_columns(data.definition, *OF_TRIALS, taken=_TRIAL_COLUMNS)
     columns = (*_TRIAL_COLUMNS, *(one.column for one in given))
     return DataTable("trials.csv", columns, list(_trial_rows(data, given)))
 
@@ -316,7 +317,7 @@ def _trial_rows(
     data: StudyData, given: Sequence[GivenColumn]
 ) -> Iterator[Sequence[Any]]:
     """Yield a row for each answered attempt, including repeated ones."""
-    scoring = Scoring(data.definition, When.AFTER_CLIP)
+    scoring = Scoring(data.definition, *OF_TRIALS)
     for session in data.sessions:
         forces = data.trial_forces(session)
         for trial in answered_trials(session.records):

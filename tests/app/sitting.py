@@ -109,7 +109,8 @@ class Person:
         self.key(Qt.Key.Key_1)
         self.key(Qt.Key.Key_Enter)
 
-    def to_trials(self):
+    def pass_demonstration(self):
+        """Answer what comes before, and leave the page of the device."""
         self.page.buttons["agree"].setFocus()  # nothing has the keyboard before
         self.key(Qt.Key.Key_Space)
         self.wait_page(PageKind.QUESTIONS, "sheet")
@@ -117,6 +118,9 @@ class Person:
         self.wait_page(PageKind.DEMONSTRATION)
         self.page.buttons["next"].setFocus()
         self.key(Qt.Key.Key_Enter)
+
+    def to_trials(self):
+        self.pass_demonstration()
         self.wait_page(PageKind.READY, "trial-01")
 
     def begin_trial(self):

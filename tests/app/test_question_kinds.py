@@ -166,20 +166,24 @@ def test_two_pages_follow_each_clip(make_study, sit, wait_for):
     content["pages"] = [page for page in pages if page["key"] != "more-before"]
     session = sit(change_definition(study, content))
     person = Person(session, wait_for)
-    person.begin_trial()
-    session.player.set_end(0.2)
-    for key in ("rating", "more-after-clip"):
+    person.pass_demonstration()
+    for key in ("more-before-clip", "rating", "more-after-clip"):
+        if key == "rating":
+            person.wait_page(PageKind.READY, "trial-01")
+            person.key(Qt.Key.Key_Enter)
+            person.wait_page(PageKind.PLAYING)
+            session.player.set_end(0.2)
         wait_for(lambda key=key: session.runner.page.key == key)
         person.wait_page(PageKind.QUESTIONS, "trial-01")
         values = drawn(session.runner.page, np.random.default_rng(3))
         for row in person.page.rows:
             row.set_value(values[row.asked.name])
         person.key(Qt.Key.Key_Enter)
-    person.wait_page(PageKind.READY, "trial-02")
+    person.wait_page(PageKind.QUESTIONS, "trial-02")
     (code,) = session.study.codes()
     records = session.study.session(code).records.intact
-    asked = [r.content["page"] for r in records if r.kind == "answers"]
-    assert asked == ["sheet", "rating", "more-after-clip"]
+    asked = [r.content["page"] for r in records if r.kind.startswith("answers")]
+    assert asked == ["sheet", "more-before-clip", "rating", "more-after-clip"]
 
 
 @pytest.fixture

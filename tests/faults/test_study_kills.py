@@ -62,7 +62,7 @@ def kept(session):
     return {
         f"{session.code} {record.content['step']} {plain(record.content['values'])}"
         for record in session.records.intact
-        if record.kind == "answers"
+        if record.kind in ("answers", "answers-before")
     }
 
 

@@ -21,6 +21,7 @@ from app.widgets.buttons import text_button
 from app.widgets.layout import paragraph, row_of
 from hapticplayer.study.definition import (
     MAX_ANSWER,
+    OF_TRIALS,
     QuestionKind,
     TrialKind,
     When,
@@ -337,7 +338,7 @@ class QuestionList(EntryList):
         page = None
         if self.selected:
             shown = self._pages[int(self.selected[1])]
-            is_trial = shown["when"] == When.AFTER_CLIP
+            is_trial = shown["when"] in OF_TRIALS
             step = trial_step(1) if is_trial else shown["key"]
             page = ShownPage(PageKind.QUESTIONS, step, shown["key"])
         self.preview.follow(self.document.value, page)

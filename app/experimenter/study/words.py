@@ -20,6 +20,7 @@ def group_names() -> dict[str, str]:
     """When pages of questions are shown."""
     return {
         When.BEFORE: translate("StudyWords", "Before the first clip"),
+        When.BEFORE_CLIP: translate("StudyWords", "Before each clip"),
         When.AFTER_CLIP: translate("StudyWords", "After each clip"),
         When.AFTER: translate("StudyWords", "After the last clip"),
     }

@@ -16,7 +16,7 @@ from hapticplayer import __version__, storage
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.storage import json_text
 from hapticplayer.study.answers import simulated_mark
-from hapticplayer.study.definition import Definition, When
+from hapticplayer.study.definition import OF_TRIALS, Definition, When
 from hapticplayer.study.scoring import Scoring
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials
@@ -196,7 +196,7 @@ def _beh_sidecar(definition: Definition) -> dict[str, Any]:
     made["feedback"]["Levels"] = {
         one.name: one.text for one in definition.chosen_feedbacks
     }
-    for one in answer_columns(definition, When.AFTER_CLIP, taken=_BEH):
+    for one in answer_columns(definition, *OF_TRIALS, taken=_BEH):
         made[one.column.name] = _asked(one)
     return made
 
@@ -206,10 +206,10 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     behaviour = folder / "beh"
     folder.mkdir(mode=storage.PRIVATE_FOLDER)
     behaviour.mkdir(mode=storage.PRIVATE_FOLDER)
-    given = answer_columns(data.definition, When.AFTER_CLIP, taken=_BEH)
+    given = answer_columns(data.definition, *OF_TRIALS, taken=_BEH)
     columns = [*_BEH, *(one.column for one in given)]
     forces = data.trial_forces(session)
-    scoring = Scoring(data.definition, When.AFTER_CLIP)
+    scoring = Scoring(data.definition, *OF_TRIALS)
     rows = [
         (
             *_beh_row(trial, forces.get((trial.position, trial.attempt))),

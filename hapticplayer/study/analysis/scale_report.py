@@ -113,7 +113,8 @@ def scale_tables(answers: Answers) -> Iterator[ReportBlock]:
 
 def _row(one: ScoreAnswers) -> tuple[str, ...]:
     found, quality = _summary(one), _reliability(one)
-    shown = one.feedback or {When.BEFORE: "before", When.AFTER: "after"}[one.page.when]
+    words = (str(one.page.when).replace("-", " "), one.feedback)
+    shown = ", ".join(filter(None, words))
     return (
         one.score.key,
         shown,

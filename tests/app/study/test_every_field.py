@@ -136,7 +136,7 @@ def test_questions_of_each_kind_go_from_the_editor_to_data(edit, tmp_path, capsy
     definition = open_study(folder).definition
     pages = [page for page in definition.pages if page.key.startswith("page-")]
     kinds = [[one.kind for one in page.questions] for page in pages]
-    assert kinds == [list(QuestionKind)] * 3
+    assert kinds == [list(QuestionKind)] * len(When)
     editor.close()
     for words in (
         ("simulate", "--participants", "3"),
@@ -149,9 +149,9 @@ def test_questions_of_each_kind_go_from_the_editor_to_data(edit, tmp_path, capsy
     for asked in [one for page in pages for one in page.questions]:
         assert (asked.key in columns) is (asked.kind is not QuestionKind.TEXT)
     numbers = json.loads((tmp_path / "report" / "numbers.json").read_text())
-    measured = {one.key for one in pages[1].questions[:3]}
-    assert measured < set(numbers["factors"])
-    assert {one.key for one in pages[1].questions[3:6]} < set(numbers["questions"])
+    asked = next(page for page in pages if page.when is When.AFTER_CLIP).questions
+    assert {one.key for one in asked[:3]} < set(numbers["factors"])
+    assert {one.key for one in asked[3:6]} < set(numbers["questions"])
     again = edit(folder)
     assert again.document.value == editor.document.value
     capsys.readouterr()

@@ -14,6 +14,7 @@ from hapticplayer.study.creation import change_definition
 from hapticplayer.study.definition import PointLabel, Question, QuestionKind, When
 from hapticplayer.study.pages import PageKind, check_answers
 from hapticplayer.study.questions import kind_of
+from hapticplayer.study.steps import answered_trials
 from hapticplayer.study.study_folder import open_study
 from tests.every_kind import drawn, with_every_kind
 from tests.unit.study.test_runner import RunningSession
@@ -91,8 +92,9 @@ def test_a_participant_is_asked_page_by_page(running):
         pages.append(running.runner.page.key)
         running.runner.answer(given(running.runner.page))
     running.runner.proceed()
-    running.play()
-    for key in ("rating", "more-after-clip"):
+    for key in ("more-before-clip", "rating", "more-after-clip"):
+        if key == "rating":
+            running.play()
         assert running.runner.page.key == key
         assert running.runner.page.position == 1
         running.clock.advance(4.0)
@@ -101,6 +103,48 @@ def test_a_participant_is_asked_page_by_page(running):
     assert running.runner.page.position == 2
     (answered,) = read_answers(running.study.folder).conduct.playbacks
     assert answered.response_s == 8.0
+
+
+def to_first_clip(running):
+    """Go on to the first page of questions before a clip."""
+    running.runner.consent(given=True)
+    while running.runner.page.key != "more-before-clip":
+        if running.kind is PageKind.QUESTIONS:
+            running.runner.answer(given(running.runner.page))
+        else:
+            running.runner.proceed()
+
+
+def test_questions_before_a_clip_belong_to_its_coming_attempt(running):
+    to_first_clip(running)
+    before = given(running.runner.page)
+    with pytest.raises(StudyError, match="ready"):
+        running.runner.proceed()
+    running.runner.answer({**before, "number_before-clip": 1})
+    assert (running.kind, running.runner.attempt) == (PageKind.READY, 0)
+    running.play()
+    running.runner.repeat()
+    assert running.runner.page.key == "more-before-clip"  # for the second attempt
+    running.runner.answer({**before, "number_before-clip": 2})
+    running.play()
+    for _ in range(2):
+        running.runner.answer(given(running.runner.page))
+    (trial,) = answered_trials(running.study.session(running.code).records)
+    assert (trial.attempt, trial.values["number_before-clip"]) == (2, 2)
+    assert trial.values["scale_after-clip"] == -2
+    assert running.study.session(running.code).notices == ()
+
+
+def test_a_crash_while_a_clip_plays_asks_again_before_it(running):
+    to_first_clip(running)
+    running.runner.answer(given(running.runner.page))
+    back = running.again()
+    assert (back.kind, back.runner.page.position) == (PageKind.READY, 1)
+    back.runner.proceed()
+    assert back.kind is PageKind.PLAYING
+    last = back.again()
+    assert last.runner.page.key == "more-before-clip"
+    assert list(answered_trials(last.study.session(last.code).records)) == []
 
 
 def test_a_crash_between_two_pages_of_a_clip_asks_the_second(running):
@@ -128,15 +172,12 @@ def test_a_crash_between_two_pages_of_a_clip_asks_the_second(running):
 
 
 def test_a_repeated_trial_asks_all_its_pages_again(running):
-    running.runner.consent(given=True)
-    while running.runner.page.position == 0:
-        if running.kind is PageKind.QUESTIONS:
-            running.runner.answer(given(running.runner.page))
-        else:
-            running.runner.proceed()
+    to_first_clip(running)
+    running.runner.answer(given(running.runner.page))
     running.play()
     running.runner.answer(given(running.runner.page))
     running.runner.repeat()
+    running.runner.answer(given(running.runner.page))
     assert running.kind is PageKind.READY
     running.play()
     assert running.runner.page.key == "rating"
@@ -260,13 +301,15 @@ def test_a_study_without_the_sum_is_analysed(study, scripted, tmp_path):
 
 def test_simulated_participants_answer_every_question(study, capsys):
     run("study", "simulate", study.folder, "--participants", "5")
-    assert "answered at random: scale_after-clip, visual" in capsys.readouterr().err
+    assert "answered at random: scale_before-clip, visual" in capsys.readouterr().err
     found = open_study(study.folder)
     sessions, notices = found.sessions()
     assert notices == []
     for session in sessions:
         pages = {
-            r.content["page"] for r in session.records.intact if r.kind == "answers"
+            record.content["page"]
+            for record in session.records.intact
+            if record.kind in ("answers", "answers-before")
         }
         assert pages == {page.key for page in found.definition.pages} - {"post-test"}
     answers = read_answers(study.folder)
