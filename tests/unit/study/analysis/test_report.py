@@ -79,7 +79,7 @@ def test_the_page_needs_nothing_from_elsewhere_and_runs_nothing(report):
     text = (report / "report.html").read_text(encoding="utf-8")
     assert "<script" not in text
     addresses = re.findall(r'(?:src|href)="([^"]{0,30})', text)
-    assert len(addresses) == 2
+    assert len(addresses) == 3
     assert all(one.startswith("data:image/svg+xml;base64,") for one in addresses)
 
 
