@@ -7,6 +7,7 @@ Babington Smith 1939) is closer than chi2 for small n.
 
 import itertools
 import math
+from functools import lru_cache
 
 import numpy as np
 import scipy
@@ -99,22 +100,39 @@ def exact_p(ranks: Floats, resampling: Resampling, label: str) -> tuple[float, s
         resampling: used if an exact p would take too long.
         label: of this use.
     """
-    n, k = ranks.shape
     doubled = np.rint(2.0 * (ranks - 1.0)).astype(np.int64)
-    cells = (2 * n * (k - 1) + 1) ** (k - 1)
-    if cells * math.factorial(k) * n <= MOST_STEPS:
+    if can_be_counted(*ranks.shape):
         return _counted_p(doubled), "exact"
     return _drawn_p(doubled, resampling, label), f"permutation, {resampling.count}"
 
 
+def can_be_counted(n: int, k: int) -> bool:
+    """Whether an exact p of (n, k) takes at most MOST_STEPS additions."""
+    cells: int = (2 * n * (k - 1) + 1) ** (k - 1)
+    return cells * math.factorial(k) * n <= MOST_STEPS
+
+
 def _counted_p(doubled: NDArray[np.int64]) -> float:
-    """Convolve the rows to the distribution of the first k-1 rank sums."""
-    n, k = doubled.shape
+    squares, at_least = _null(
+        tuple(sorted(tuple(sorted(row)) for row in doubled.tolist()))
+    )
+    observed = (doubled.sum(axis=0) ** 2).sum()
+    return min(1.0, float(at_least[np.searchsorted(squares, observed)]))
+
+
+@lru_cache(maxsize=512)
+def _null(rows: tuple[tuple[int, ...], ...]) -> tuple[NDArray[np.int64], Floats]:
+    """Squares of the rank sums in ascending order, and the share of orders with at least each.
+
+    Convolves the rows to the distribution of the first k-1 rank sums. It depends on the
+    ties in the rows alone, so that simulated studies share it.
+    """
+    n, k = len(rows), len(rows[0])
     size = 2 * n * (k - 1) + 1
     share = np.zeros((size,) * (k - 1))
     share[(0,) * (k - 1)] = 1.0
-    for row in doubled:
-        orders = list(itertools.permutations(row.tolist()))
+    for row in rows:
+        orders = list(itertools.permutations(row))
         added = np.zeros_like(share)
         for order in orders:
             into = tuple(slice(step, None) for step in order[:-1])
@@ -122,10 +140,10 @@ def _counted_p(doubled: NDArray[np.int64]) -> float:
             added[into] += share[from_]
         share = added / len(orders)
     sums = np.indices(share.shape)
-    rest = int(doubled.sum()) - sums.sum(axis=0)
-    squares = (sums**2).sum(axis=0) + rest**2
-    observed = (doubled.sum(axis=0) ** 2).sum()
-    return min(1.0, float(share[squares >= observed].sum()))
+    rest = sum(sum(row) for row in rows) - sums.sum(axis=0)
+    squares, places = np.unique((sums**2).sum(axis=0) + rest**2, return_inverse=True)
+    each = np.bincount(places.ravel(), share.ravel())
+    return squares, np.asarray(np.cumsum(each[::-1])[::-1], np.float64)
 
 
 def _drawn_p(doubled: NDArray[np.int64], resampling: Resampling, label: str) -> float:

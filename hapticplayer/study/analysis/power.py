@@ -1,10 +1,9 @@
 """Power analysis by simulated studies.
 
 Power is the share of simulated studies in which a test is significant. Pairs are tested as
-`analyse` tests them, by the signed-rank test with Holm's correction: exact to
-MOST_EXACT participants, beyond by the normal approximation corrected for ties. Friedman's
-test is that of chi-square, which `analyse` prints beside the exact p: conservative for few
-participants.
+`analyse` tests them, by the signed-rank test with Holm's correction, feedbacks together by
+Friedman's test: both exact to MOST_EXACT participants, beyond by approximations corrected
+for ties.
 """
 
 from collections.abc import Callable
@@ -17,7 +16,8 @@ from scipy import stats
 
 from hapticplayer.errors import Message, Progress, UsageError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.friedman import chi_squares
+from hapticplayer.study.analysis.describing import Resampling
+from hapticplayer.study.analysis.friedman import can_be_counted, chi_squares, exact_p
 from hapticplayer.study.analysis.rank_tests import signed_rank_p
 from hapticplayer.study.analysis.scores import Sample
 from hapticplayer.study.analysis.statistic import holm_of_columns
@@ -30,8 +30,8 @@ _BLOCK = 100
 _EACH_UP_TO, _STEP = 30, 5
 
 TESTS = Message(
-    "pairs: Wilcoxon with Holm, exact to {most} participants, then normal approximation; "
-    "friedman: chi-square approximation",
+    "pairs: Wilcoxon with Holm; friedman: Friedman's test; both exact to {most} "
+    "participants, then approximations",
     most=MOST_EXACT,
 )
 
@@ -172,13 +172,21 @@ def _sizes(largest: int) -> tuple[int, ...]:
 def _significant(values: Floats, pairs: list[tuple[int, int]], alpha: float) -> Floats:
     """Return the number of studies (D, n, F) in which each test is significant."""
     values = np.round(values, 9)
-    feedbacks = values.shape[2]
-    chi2 = np.nan_to_num(chi_squares(values))
-    omnibus = chi2 > stats.chi2.isf(alpha, feedbacks - 1)
+    omnibus = _friedman_p(values) <= alpha
     p = np.stack([_pair_p(values[:, :, j] - values[:, :, i]) for i, j in pairs])
     significant = holm_of_columns(p) <= alpha
     rows = np.stack([omnibus, *significant, significant.all(axis=0)])
     return np.asarray(rows.sum(axis=1), np.float64)
+
+
+def _friedman_p(values: Floats) -> Floats:
+    """Return p of Friedman's test of each study (D, n, F); 1 where all is tied."""
+    _, people, feedbacks = values.shape
+    if people <= MOST_EXACT and can_be_counted(people, feedbacks):
+        ranks = stats.rankdata(values, axis=2)
+        return np.array([exact_p(one, Resampling(), "power")[0] for one in ranks])
+    chi2 = np.nan_to_num(chi_squares(values))
+    return np.asarray(stats.chi2.sf(chi2, feedbacks - 1), np.float64)
 
 
 def _pair_p(differences: Floats) -> Floats:

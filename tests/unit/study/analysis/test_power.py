@@ -6,6 +6,8 @@ from statsmodels.stats.power import TTestPower
 
 from hapticplayer.errors import Cancelled, UsageError
 from hapticplayer.simulation.participants import draw_effect, effect_named
+from hapticplayer.study.analysis.describing import Resampling
+from hapticplayer.study.analysis.friedman import friedman
 from hapticplayer.study.analysis.power import (
     PowerGoal,
     draw_pilot,
@@ -89,3 +91,15 @@ def test_the_power_calculation_stops_when_asked():
     draw = draw_effect(effect_named("0.5"), "comfort", 4)
     with pytest.raises(Cancelled):
         find_power(draw, NAMES, PowerGoal(largest=5, studies=500), stop)
+
+
+def test_feedbacks_together_have_the_power_of_the_exact_test():
+    """Of the same simulated studies, as `analyse` tests each."""
+    draw = draw_effect(effect_named("0.5"), "comfort", 4)
+    goal = PowerGoal(largest=5, studies=300)
+    found = find_power(draw, NAMES, goal)
+    rng = np.random.default_rng(goal.seed)
+    studies = np.concatenate([draw(100, 5, rng) for _ in range(3)])
+    p = [friedman(np.round(one, 9), Resampling(), "x")["p_exact"] for one in studies]
+    expected = np.mean([one is not None and one <= goal.alpha for one in p])
+    assert found.curves["friedman"][found.participants.index(5)] == expected
