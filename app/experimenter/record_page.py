@@ -22,6 +22,7 @@ from app.widgets.buttons import text_button
 from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import STRETCH, column_of, paragraph, row_of
 from app.widgets.messages import JobRow
+from app.widgets.texts import capitalised
 from hapticplayer.capture.choices import LogChoices, LogQuestion, parse_choices
 from hapticplayer.capture.live.recorder import Recorder
 from hapticplayer.capture.live.source import OpenedSource, open_source
@@ -77,6 +78,7 @@ class RecordPage(JobDialog):
         self.question.answered.connect(self._answer)
         self.problem = paragraph("", theme.BAD)
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
+        self.problem.hide()
         self.form.changed.connect(self.show_buttons)
         self.form.look_wanted.connect(self.look)
         self._lay_out()
@@ -151,7 +153,7 @@ class RecordPage(JobDialog):
 
     def record(self) -> None:
         """Open what is chosen, and begin."""
-        self._answers, self._allowed = [], []
+        self._answers = []
         self._is_preview = False
         self._open()
 
@@ -160,7 +162,7 @@ class RecordPage(JobDialog):
         if self._preview is not None:
             self._end_preview()
             return
-        self._answers, self._allowed = [], []
+        self._answers = []
         self._is_preview = True
         self._open()
 
@@ -169,7 +171,7 @@ class RecordPage(JobDialog):
         if self.recorder is not None or self.jobs.is_busy:
             return
         self.question.hide()
-        self.problem.clear()
+        self.problem.hide()
         self.form.keep()
         chosen = self.form.chosen()
         folder = free_name(chosen.folder, _now_text())
@@ -290,12 +292,15 @@ class RecordPage(JobDialog):
             self._ask_for_leave(self._asked)
         else:
             self.problem.setText(translated(message_of(problem)))
+            self.problem.show()
         self.show_buttons()
 
     def _ask_for_leave(self, question: Message) -> None:
         """Ask what must not happen unasked, such as listening on the network."""
         box = QMessageBox(
-            QMessageBox.Icon.Question, self.windowTitle(), translated(question)
+            QMessageBox.Icon.Question,
+            self.windowTitle(),
+            capitalised(translated(question)),
         )
         box.setParent(self, Qt.WindowType.Dialog)
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -329,6 +334,7 @@ class RecordPage(JobDialog):
         is_busy, is_on = self.jobs.is_busy, self.recorder is not None
         is_take = self.stack.currentIndex() == TAKE
         self.form.setVisible(not is_on)
+        self.live.setVisible(self.question.isHidden())  # there is no room for both
         chosen = self.form.chosen()
         self.start.setEnabled(not is_busy and bool(chosen.camera or chosen.sensor))
         for button in (self.preview, self.start):

@@ -66,6 +66,7 @@ from app.player.window import PlayerWindow
 from app.plots.grip_view import GripView
 from app.plots.playhead_plot import PlayheadPlot
 from app.widgets.job_dialog import JobDialog
+from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.devices.falcon.firmware import find_image
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
@@ -115,6 +116,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "import-reading": lambda: ReadingPage(_table(folder), {}, window),
         "record": lambda: _record(window),
         "record-live": lambda: _record_live(window),
+        "record-asked": lambda: _record_asked(window),
         "record-take": lambda: _record_take(window),
         "library-empty": lambda: LibraryPage(folder, window),
         "library": lambda: LibraryPage(_library(window), window),
@@ -258,6 +260,17 @@ def _record_live(window: PlayerWindow) -> RecordPage:
     """Return the recorder while it records, and is asked about a sensor at once."""
     page = _record(window)
     page.on_started(Opened(StillRecorder(), silent_source()))
+    return page
+
+
+def _record_asked(window: PlayerWindow) -> RecordPage:
+    """Return the recorder that has a question about its sensor."""
+    page = _record(window)
+    page.on_failed(
+        LogQuestion(
+            "does not declare its sign", ("accel-sign=+", "accel-sign=-"), "csv:-"
+        )
+    )
     return page
 
 

@@ -236,6 +236,12 @@ def test_the_network_is_listened_to_after_asking(make_page, wait_for):
     box.buttons()[0].click()
     wait_for(lambda: page.recorder is not None)
     assert allowed == [False, True]
+    page.end_take()
+    wait_for(page.again.isEnabled)
+    page.again.click()
+    page.record()
+    wait_for(lambda: page.recorder is not None)
+    assert allowed == [False, True, True]
 
 
 def test_a_silent_sensor_has_how_it_is_started(make_page, wait_for):
