@@ -83,6 +83,7 @@ class Take(Struct, frozen=True, kw_only=True):
 
     Attributes:
         began: date and time, UTC.
+        zero_s: monotonic time of the machine at media time 0.
         is_finished: False while it is recorded, and after a kill.
         mounting: of the IMU, as `--mounting`; "" where nobody said.
         clock: of the IMU; None without one, and before enough is known.
@@ -91,6 +92,7 @@ class Take(Struct, frozen=True, kw_only=True):
     schema: str = _SCHEMA
     version: int = _VERSION
     began: str
+    zero_s: float = 0.0
     is_finished: bool = False
     camera: Stream | None = None
     microphone: Stream | None = None

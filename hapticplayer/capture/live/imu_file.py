@@ -43,11 +43,11 @@ class ImuFile:
         self._last_s = 0.0
         self._shown: deque[Floats] = deque(maxlen=_MOST_SHOWN)
 
-    def read(self, timeout_s: float) -> Floats:
-        """Write what comes until then; its media times (n,) as they are known now."""
+    def read(self, timeout_s: float) -> tuple[Floats, Floats]:
+        """Write what comes until then; its media times (n,), as known now, and its own."""
         samples = self._source.read(timeout_s).in_frame_a(self._axes)
         if not len(samples.stamp_s):
-            return samples.stamp_s
+            return samples.stamp_s, samples.stamp_s
         if self._origin_s is None:
             self._origin_s = float(samples.stamp_s[0])
         time_s = samples.stamp_s - self._origin_s
@@ -57,7 +57,7 @@ class ImuFile:
         self._write(time_s, samples, arrival_s)
         media_s = np.asarray(self._clock.host_s(time_s))
         self._show(media_s, samples)
-        return media_s
+        return media_s, time_s
 
     def _write(self, time_s: Floats, samples: Samples, arrival_s: Floats) -> None:
         rows = np.column_stack(

@@ -112,10 +112,10 @@ class Recorder:
         source_name: str = "",
         mounting: str = "",
     ) -> None:
-        if camera is None and source is None:
-            raise UsageError("nothing is recorded; give a camera, an IMU, or both")
         if camera is None and audio is not None:
             raise UsageError("sound is recorded with a camera; give one (--camera)")
+        if camera is None and source is None:
+            raise UsageError("nothing is recorded; give a camera, an IMU, or both")
         self.folder, self._clock, self._mounting = Path(folder), clock, mounting
         self._names = camera, audio, source_name
         self._source = source
@@ -194,12 +194,12 @@ class Recorder:
         def until_it_ends() -> None:
             try:
                 record()
-            except HapticPlayerError as problem:
+            except (HapticPlayerError, OSError) as problem:
+                if isinstance(problem, OSError):
+                    problem = StorageError.of(problem, self.folder)
                 self._is_damaged |= _is_of_writing(problem, self.folder)
-                self._tell(message_of(problem))
-            except OSError as problem:
-                self._is_damaged = True
-                self._tell(message_of(StorageError.of(problem, self.folder)))
+                what = message_of(problem)
+                self._tell(Message("{stream}: {what}", stream=name, what=what))
             finally:
                 self._over.add(name)
 
@@ -255,9 +255,9 @@ class Recorder:
         assert self._log is not None
         try:
             while not self._stopping.is_set():
-                media_s = self._log.read(_READ_S)
+                media_s, stamp_s = self._log.read(_READ_S)
                 if len(media_s):
-                    self._motion.take(media_s, self._elapsed_s())
+                    self._motion.take(media_s, self._elapsed_s(), stamp_s)
         finally:
             self._log.close()
 
@@ -330,6 +330,7 @@ class Recorder:
         film, sound, motion = self._film, self._sound, self._motion
         return Take(
             began=self._began,
+            zero_s=self._zero_s,
             is_finished=is_finished,
             camera=self._stream(camera, self._camera, film),
             microphone=self._stream(

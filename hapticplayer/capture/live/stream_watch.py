@@ -27,7 +27,7 @@ class StreamWatch:
         self.gaps: list[Gap] = []
         self.is_stalled = False
         self._steps: deque[float] = deque(maxlen=_STEPS)
-        self._last_s: float | None = None
+        self._last: tuple[float, float] | None = None
         self._seen_s: float | None = None
 
     @property
@@ -39,21 +39,24 @@ class StreamWatch:
     def rate_hz(self) -> float:
         return 1.0 / self.usual_step_s if self.usual_step_s else 0.0
 
-    def take(self, at_s: Floats, seen_s: float) -> None:
-        """Count what was stamped at these times and came at `seen_s`."""
-        for one_s in np.asarray(at_s, dtype=np.float64).tolist():
-            self._take(one_s)
+    def take(self, at_s: Floats, seen_s: float, stamp_s: Floats | None = None) -> None:
+        """Count what was taken at these times and came at `seen_s`.
+
+        Steps are those of the stamps, where its own clock is known only roughly yet.
+        """
+        stamps_s = at_s if stamp_s is None else stamp_s
+        for one_s, own_s in zip(at_s.tolist(), stamps_s.tolist(), strict=True):
+            self._take(one_s, own_s)
         self._seen_s, self.is_stalled = seen_s, False
 
-    def _take(self, at_s: float) -> None:
+    def _take(self, at_s: float, stamp_s: float) -> None:
         self.count += 1
-        last_s, usual_s = self._last_s, self.usual_step_s
-        self._last_s = at_s
-        if last_s is None or at_s <= last_s:
+        before, self._last = self._last, (at_s, stamp_s)
+        if before is None or stamp_s <= before[1]:
             return
-        step_s = at_s - last_s
+        step_s, usual_s = stamp_s - before[1], self.usual_step_s
         if usual_s and step_s > _LATE * usual_s:
-            self._miss(last_s, at_s, round(step_s / usual_s) - 1)
+            self._miss(before[0], at_s, round(step_s / usual_s) - 1)
         self._steps.append(step_s)
 
     def drop(self) -> None:
@@ -78,6 +81,6 @@ class StreamWatch:
 
     def end(self, end_s: float) -> None:
         """Mark a gap that lasts until the end of the recording."""
-        last_s = self._last_s
-        if last_s is not None and end_s - last_s > max(_MARKED_S, self.stall_s):
+        last_s = end_s if self._last is None else self._last[0]
+        if end_s - last_s > max(_MARKED_S, self.stall_s):
             self._miss(last_s, end_s, round((end_s - last_s) * self.rate_hz))

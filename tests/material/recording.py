@@ -1,0 +1,91 @@
+"""A camera whose frames turn, and a board on a pseudo-terminal that turns with them.
+
+Both go by the machine's wall clock, so that the true offset of a recording is known.
+"""
+
+import contextlib
+import os
+import termios
+import threading
+import tty
+
+import numpy as np
+
+from hapticplayer.clock import SystemClock, realtime_minus_monotonic_s
+
+TURNS = ((0.5, 0.4), (0.3, 0.73))
+"""Amplitude in rad and frequency in Hz of the roll, about the axis to the front."""
+
+RATE_HZ, PPM = 200.0, 40.0
+_HEADER = "time_s,ax,ay,az,gx,gy,gz\n"
+
+
+def camera(size="320x240", seconds=None, source="testsrc2"):
+    """The name of a camera that films 30 frames a second, and is unplugged after some time."""
+    roll = "+".join(f"{a}*sin(2*PI*{hz}*t)" for a, hz in TURNS)
+    length = "" if seconds is None else f":duration={seconds}"
+    return (
+        f"lavfi:{source}=size={size}:rate=30{length},settb=1/1000000,realtime,"
+        f"setpts=RTCTIME/1000000/TB,rotate='{roll}'"
+    )
+
+
+MICROPHONE = (
+    "lavfi:sine=frequency=440:sample_rate=48000:samples_per_frame=1024,"
+    "asettb=1/1000000,arealtime,asetpts=RTCTIME/1000000/TB"
+)
+
+
+def rolled(wall_s):
+    """Acceleration and rate (n, 6) of a board that rolls as the frames do."""
+    wall_s = np.asarray(wall_s)
+    angle = sum(a * np.sin(2 * np.pi * hz * wall_s) for a, hz in TURNS)
+    rate = sum(2 * np.pi * hz * a * np.cos(2 * np.pi * hz * wall_s) for a, hz in TURNS)
+    zero = 0.0 * wall_s
+    accel = [-9.80665 * np.sin(angle), zero, 9.80665 * np.cos(angle)]
+    return np.column_stack([*accel, zero, rate, zero])
+
+
+class Board:
+    """Lines of CSV at 200 Hz on a pseudo-terminal, in batches, on a clock of its own."""
+
+    def __init__(self, batch_s=0.008, seed=7):
+        self._master, self._slave = os.openpty()
+        tty.setraw(self._slave, termios.TCSANOW)
+        os.set_blocking(self._master, False)
+        self.source = f"csv:{os.ttyname(self._slave)}"
+        self._batch_s, self._rng = batch_s, np.random.default_rng(seed)
+        self._clock, self._over = SystemClock(), threading.Event()
+        self._asleep = threading.Event()
+        self._thread = threading.Thread(target=self._send, daemon=True)
+        self._thread.start()
+
+    def _send(self):
+        begin_s, wall_s, count = self._clock.now_s(), realtime_minus_monotonic_s(), 0
+        while not self._over.wait(self._batch_s):
+            until = int((self._clock.now_s() - begin_s) * RATE_HZ)
+            at_s = begin_s + np.arange(count, until) / RATE_HZ
+            count = until
+            if not len(at_s) or self._asleep.is_set():
+                continue
+            noise = self._rng.normal(0.0, 0.02, (len(at_s), 6))
+            values = rolled(at_s + wall_s) + noise
+            stamps_s = 100.0 + (at_s - begin_s) * (1 - 1e-6 * PPM)
+            rows = np.column_stack([stamps_s, values]).tolist()
+            lines = [",".join(f"{one:.6f}" for one in row) + "\n" for row in rows]
+            # again and again, for whoever begins to listen later
+            with contextlib.suppress(BlockingIOError):
+                os.write(self._master, "".join([_HEADER, *lines]).encode())
+
+    def sleep(self, is_asleep):
+        """As a phone in a pocket does: it measures on, and sends nothing."""
+        (self._asleep.set if is_asleep else self._asleep.clear)()
+
+    def unplug(self):
+        """May be called again."""
+        self._over.set()
+        self._thread.join()
+        for descriptor in (self._master, self._slave):
+            if descriptor >= 0:
+                os.close(descriptor)
+        self._master = self._slave = -1

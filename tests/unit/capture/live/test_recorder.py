@@ -1,0 +1,128 @@
+"""Recordings of a test camera, a test microphone and a board on a pseudo-terminal."""
+
+import pytest
+
+from hapticplayer.capture.live.recorder import Recorder
+from hapticplayer.capture.live.source import open_source
+from hapticplayer.capture.recorded import CLIP, LOG, parts_of, read_take
+from hapticplayer.clock import SystemClock
+from hapticplayer.errors import HapticPlayerError, InputError, UsageError
+from hapticplayer.media.clip_info import probe
+from tests.material import recording
+
+pytestmark = pytest.mark.realtime
+
+
+@pytest.fixture
+def board():
+    made = recording.Board()
+    yield made
+    made.unplug()
+
+
+@pytest.fixture
+def make(tmp_path, board):
+    clock, made = SystemClock(), []
+
+    def start(camera=None, audio=None):
+        source = open_source(board.source, clock)
+        recorder = Recorder(
+            tmp_path / "take", camera, audio, source, clock, source_name=board.source
+        )
+        recorder.start()
+        made.append(recorder)
+        return recorder
+
+    yield start
+    for one in made:
+        one.stop()
+
+
+def wait_until(recorder, condition, limit_s=6.0):
+    clock = SystemClock()
+    end_s = clock.now_s() + limit_s
+    while not condition(state := recorder.snapshot()):
+        assert clock.now_s() < end_s, state
+        clock.sleep_until(clock.now_s() + 0.02)
+    return state
+
+
+def told(words):
+    return lambda state: any(words in one for one in state.notices)
+
+
+def test_three_streams_become_one_recording(make):
+    recorder = make(recording.camera(), recording.MICROPHONE)
+    recorder.mark()
+    state = wait_until(
+        recorder, lambda state: state.frames > 30 and state.samples > 200
+    )
+    folder = recorder.stop()
+    assert state.frame.shape == (240, 320, 3)
+    assert state.level_db > -40.0
+    assert state.accel_mps2.shape == state.rate_radps.shape == (len(state.time_s), 3)
+    assert state.imu_hz == pytest.approx(recording.RATE_HZ, rel=0.05)
+    take, clip = read_take(folder), probe(folder / CLIP)
+    assert take.is_finished
+    assert clip.has_audio
+    assert clip.duration_s == pytest.approx(take.camera.count / 30, abs=0.4)
+    assert (take.camera.stamped_by, take.imu.stamped_by) == ("wall", "source")
+    assert take.clock.residual_s < 0.02
+    assert len(take.marks_s) == 1
+    assert parts_of(folder).log == folder
+    assert len((folder / LOG).read_text().splitlines()) == take.imu.count + 1
+
+
+def test_an_imu_that_is_unplugged_is_told_and_the_camera_goes_on(make, board):
+    recorder = make(recording.camera())
+    wait_until(recorder, lambda state: state.samples > 50)
+    board.unplug()
+    frames = wait_until(recorder, told("imu: /dev/")).frames
+    wait_until(recorder, lambda state: state.frames > frames + 25)
+    take = read_take(recorder.stop())
+    assert take.is_finished
+    assert [gap.stream for gap in take.gaps] == ["imu"]
+    assert take.gaps[0].end_s - take.gaps[0].begin_s > 0.6
+
+
+def test_a_camera_that_is_unplugged_is_told_and_the_imu_goes_on(make):
+    recorder = make(recording.camera(seconds=0.5))
+    samples = wait_until(recorder, told("camera: lavfi")).samples
+    state = wait_until(recorder, lambda state: state.samples > samples + 250)
+    assert not state.is_over
+    folder = recorder.stop()
+    assert [gap.stream for gap in read_take(folder).gaps] == ["camera"]
+    assert probe(folder / CLIP).duration_s == pytest.approx(0.5, abs=0.1)
+
+
+def test_a_phone_that_sleeps_is_told_when_it_does_and_when_it_is_back(make, board):
+    recorder = make()
+    wait_until(recorder, lambda state: state.samples > 50)
+    board.sleep(True)
+    wait_until(recorder, told("imu: nothing for"))
+    board.sleep(False)
+    wait_until(recorder, told("imu: is back"))
+    take = read_take(recorder.stop())
+    assert [gap.stream for gap in take.gaps] == ["imu"]
+    assert take.imu.dropped == take.gaps[0].missing > 80
+
+
+def test_a_camera_that_cannot_be_opened_leaves_nothing(make, tmp_path):
+    with pytest.raises(InputError, match="record --list"):
+        make(str(tmp_path / "video9"))
+    assert not (tmp_path / "take").exists()
+
+
+@pytest.mark.parametrize(
+    ("camera", "audio", "sentence"),
+    [(None, None, "nothing is recorded"), (None, "default", "with a camera")],
+)
+def test_streams_that_make_no_recording_are_refused(tmp_path, camera, audio, sentence):
+    with pytest.raises(UsageError, match=sentence):
+        Recorder(tmp_path / "take", camera, audio, None, SystemClock())
+
+
+def test_a_folder_that_exists_is_kept(make, tmp_path):
+    (tmp_path / "take").mkdir()
+    with pytest.raises(HapticPlayerError, match="exists"):
+        make(recording.camera())
