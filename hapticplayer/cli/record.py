@@ -79,8 +79,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
 
 
 def _until_stopped(recorder: Recorder, options: argparse.Namespace) -> None:
-    heard = [] if options.imu == STANDARD_INPUT else [sys.stdin]
-    told = 0
+    heard, told = _listened_to(options), 0
     with shown_progress() as progress:
         while True:
             state = recorder.snapshot(with_frame=False)
@@ -93,6 +92,15 @@ def _until_stopped(recorder: Recorder, options: argparse.Namespace) -> None:
                 progress(state.elapsed_s / (options.duration or math.inf), _line(state))
             if select.select(heard, [], [], _TICK_S)[0]:
                 heard = _marked(recorder)
+
+
+def _listened_to(options: argparse.Namespace) -> list[TextIO]:
+    """The standard input, if there is one and it is not the source's."""
+    try:
+        sys.stdin.fileno()
+    except (AttributeError, OSError):
+        return []
+    return [] if options.imu == STANDARD_INPUT else [sys.stdin]
 
 
 def _marked(recorder: Recorder) -> list[TextIO]:

@@ -4,14 +4,23 @@ Both go by the machine's wall clock, so that the true offset of a recording is k
 """
 
 import contextlib
+import math
 import os
+import subprocess
+import sys
 import termios
 import threading
 import tty
+from typing import NamedTuple
 
 import numpy as np
 
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.recorded import parts_of, read_take
+from hapticplayer.capture.si_csv import RECORDING
 from hapticplayer.clock import SystemClock, realtime_minus_monotonic_s
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.media.clip_info import probe
 
 TURNS = ((0.5, 0.4), (0.3, 0.73))
 """Amplitude in rad and frequency in Hz of the roll, about the axis to the front."""
@@ -89,3 +98,37 @@ class Board:
             if descriptor >= 0:
                 os.close(descriptor)
         self._master = self._slave = -1
+
+
+class Kill(NamedTuple):
+    """What a killed recorder has left: seconds missing at the end, or why nothing."""
+
+    film_lost_s: float
+    motion_lost_s: float
+    problem: str
+
+
+def killed(folder, after_s):
+    """Record, kill the recorder some time after its first frame, and read what is there."""
+    board, clock = Board(), SystemClock()
+    words = ["record", "-o", folder, "--camera", camera("160x120")]
+    words += ["--audio", MICROPHONE, "--imu", board.source]
+    line = [sys.executable, "-m", "app", *map(str, words)]
+    recorder = subprocess.Popen(line, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    try:
+        while not (folder / RECORDING).exists() and recorder.poll() is None:
+            clock.sleep_until(clock.now_s() + 0.01)
+        clock.sleep_until(clock.now_s() + after_s)
+        recorder.kill()
+        killed_s = clock.now_s()
+        said = recorder.communicate()[1].decode()
+    finally:
+        board.unplug()
+    try:
+        parts = parts_of(folder)
+        imu = read_recording(parts.log).imu
+        ends_s = probe(parts.clip).duration_s, float(imu.time_s[-1])
+    except (HapticPlayerError, OSError) as problem:
+        return Kill(math.nan, math.nan, f"{problem} {said}")
+    media_s = killed_s - read_take(folder).zero_s
+    return Kill(media_s - ends_s[0], media_s - ends_s[1], "")

@@ -134,7 +134,7 @@ class Recorder:
         self._marks_s: list[float] = []
         self._zero_s, self._began, self._shown_until_s = 0.0, "", 0.0
         self._lock: int | None = None
-        self._is_damaged = self._is_low = False
+        self._is_damaged = self._is_low = self._ended_alone = False
 
     def start(self) -> None:
         """Open the devices, make the folder, and record.
@@ -373,6 +373,10 @@ class Recorder:
             key=lambda gap: gap.begin_s,
         )
 
+    def _are_all_over(self) -> bool:
+        is_stopped = self._stopping.is_set()
+        return not is_stopped and self._over >= {name for name in self._threads if name}
+
     def mark(self) -> float:
         """Mark this moment; its media time."""
         at_s = round(self._elapsed_s(), 3)
@@ -383,7 +387,7 @@ class Recorder:
         """End all streams and write the description; the folder."""
         if self._stopping.is_set():
             return self.folder
-        end_s = self._elapsed_s()
+        end_s, self._ended_alone = self._elapsed_s(), self._are_all_over()
         self._stopping.set()
         for thread in self._threads.values():
             thread.join(_JOIN_S)
@@ -424,7 +428,7 @@ class Recorder:
             marks_s=tuple(self._marks_s),
             free_bytes=self._free_bytes(),
             notices=tuple(self._notices),
-            is_over=self._over >= {name for name in self._threads if name},
+            is_over=self._ended_alone or self._are_all_over(),
         )
 
 
