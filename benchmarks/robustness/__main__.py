@@ -9,6 +9,8 @@ PLACES = {
     "nuisance": "robustness.nuisance",
     "real_files": "robustness.real_files",
     "eviction": "robustness.eviction",
+    "record_kills": "robustness.record_kills",
+    "record_load": "robustness.record_load",
     "media": "campaigns:media",
     "importers": "campaigns:importers",
 }

@@ -28,7 +28,7 @@ from hapticplayer.errors import (
     no_progress,
 )
 from hapticplayer.media.clip_info import ClipInfo
-from hapticplayer.model import ClockMap
+from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.ranges import SKEW_S
 from hapticplayer.structures import read_json
 
@@ -154,7 +154,7 @@ def find_sync(
     seen: list[FrameRotation] = []
 
     def follow() -> FrameRotation:
-        seen.append(look() if look else watch(clip, progress))
+        seen.append(look() if look else watch(clip, progress, near))
         return seen[-1]
 
     def hear() -> ClipSound:
@@ -172,6 +172,8 @@ def find_sync(
         return sound
 
     middle_s, own = 0.5 * clip.duration_s, recording.clock_map
+    is_placed = recording.lag is not None and recording.lag.is_of_machine
+    near = recording.imu if is_placed else None
     given = _given(clip, choices, middle_s)
     known = own if own.confidence > 0.0 else None
     contradiction = contradicted(recording, clip)
@@ -265,14 +267,18 @@ def contradicted(recording: Recording, clip: ClipInfo) -> Message | None:
     return placing.contradiction(clip.duration_s) if placing else None
 
 
-def watch(clip: ClipInfo, progress: Progress) -> FrameRotation:
+def watch(
+    clip: ClipInfo, progress: Progress, near: ImuLog | None = None
+) -> FrameRotation:
     """The camera's rotation as the frames of a clip tell it.
+
+    `near` is a log that a clock places in it to some ms.
 
     Raises:
         InputError: when this installation cannot look at frames, or without OpenCV.
         MediaError: when the clip cannot be decoded.
     """
-    found: FrameRotation = frame_function("watch")(clip, progress)
+    found: FrameRotation = frame_function("watch")(clip, progress, near)
     return found
 
 

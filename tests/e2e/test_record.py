@@ -76,7 +76,7 @@ def test_a_killed_recorder_loses_at_most_a_second(tmp_path):
     assert kill.motion_lost_s < 1.0
 
 
-def test_the_list_names_sources_and_what_to_write_without_a_camera():
+def test_the_list_names_sources_and_devices():
     done = in_process("record", "--list")
     assert done.returncode == 0
     assert "wt901:/dev/ttyUSB0" in done.stdout

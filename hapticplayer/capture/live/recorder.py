@@ -43,7 +43,7 @@ LOW_BYTES = 500 << 20
 
 _LOOK_S, _SYNC_S, _DESCRIBE_S, _JOIN_S = 0.1, 1.0, 5.0, 3.0
 _CAMERA_STALL_S, _SOURCE_STALL_S, _SOUND_STALL_S = 1.0, 0.5, 1.0
-_READ_S, _SHOWN_FOR_S = 0.1, 1.0
+_SHOWN_FOR_S = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -255,7 +255,7 @@ class Recorder:
         assert self._log is not None
         try:
             while not self._stopping.is_set():
-                media_s, stamp_s = self._log.read(_READ_S)
+                media_s, stamp_s = self._log.read(self._clock)
                 if len(media_s):
                     self._motion.take(media_s, self._elapsed_s(), stamp_s)
         finally:

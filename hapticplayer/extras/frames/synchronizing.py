@@ -58,6 +58,10 @@ _COARSE_CONFIDENCE = 0.8
 _CUT = Message("a part of the clip fits another part of the log: was the video cut?")
 
 
+LIVELIEST_S = 12.0
+"""Of a clip whose log is placed to some ms already."""
+
+
 def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:
     """Return begin and end of the parts of a clip to look at, from its start to its end."""
     if duration_s <= LONG_S:
@@ -299,10 +303,30 @@ def _confidence(weakest: float, *, is_coarse: bool) -> float:
     return most / (1.0 + math.exp(-3.0 * min(max(weakest, -10.0), 10.0)))
 
 
-def watch(clip: ClipInfo, progress: Progress) -> FrameRotation:
-    """Follow the frames of a clip, of a long one parts."""
+def watch(
+    clip: ClipInfo, progress: Progress, near: ImuLog | None = None
+) -> FrameRotation:
+    """Follow the frames of a clip, of a long one parts.
+
+    Where the log is placed to some ms, its liveliest part is enough.
+    """
     spans_s = spans_to_watch(clip.duration_s)
+    if near is not None and clip.duration_s > LIVELIEST_S:
+        spans_s = [liveliest_s(near, clip.duration_s)]
     return rotation(clip.path, spans_s=spans_s, progress=progress)
+
+
+def liveliest_s(imu: ImuLog, duration_s: float) -> tuple[float, float]:
+    """Begin and end of the part of a clip in which a log in media time turns most."""
+    begins_s = np.arange(0.0, duration_s - LIVELIEST_S, 1.0)
+    square = np.square(imu.angular_rate_radps).sum(axis=1)
+    summed = np.concatenate([[0.0], np.cumsum(square)])
+    turns = [
+        np.diff(summed[np.searchsorted(imu.time_s, [at_s, at_s + LIVELIEST_S])])[0]
+        for at_s in begins_s
+    ]
+    begin_s = float(begins_s[int(np.argmax(turns))])
+    return begin_s, begin_s + LIVELIEST_S
 
 
 def mounting_of(

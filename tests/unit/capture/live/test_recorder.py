@@ -95,7 +95,7 @@ def test_a_camera_that_is_unplugged_is_told_and_the_imu_goes_on(make):
     assert probe(folder / CLIP).duration_s == pytest.approx(0.5, abs=0.1)
 
 
-def test_a_phone_that_sleeps_is_told_when_it_does_and_when_it_is_back(make, board):
+def test_a_phone_that_sleeps_is_told_and_that_it_is_back(make, board):
     recorder = make()
     wait_until(recorder, lambda state: state.samples > 50)
     board.sleep(True)
