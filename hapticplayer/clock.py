@@ -22,6 +22,7 @@ class Clock(Protocol):
 
 
 WAKE_UP_S = 18e-6
+_LOOKS = 5
 
 
 class SystemClock:
@@ -82,5 +83,10 @@ def is_time(utc: str) -> bool:
 
 
 def realtime_minus_monotonic_s() -> float:
-    """The offset of the kernel's stamps, such as SO_TIMESTAMPNS."""
-    return time.time() - time.monotonic()
+    """The offset of the kernel's stamps, such as SO_TIMESTAMPNS.
+
+    The closest of some looks: another process may run between two of them for long.
+    """
+    looks = [(time.monotonic(), time.time(), time.monotonic()) for _ in range(_LOOKS)]
+    before_s, wall_s, after_s = min(looks, key=lambda look: look[2] - look[0])
+    return wall_s - 0.5 * (before_s + after_s)

@@ -21,6 +21,7 @@ from hapticplayer.capture.si_csv import RECORDING
 from hapticplayer.clock import SystemClock, realtime_minus_monotonic_s
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.media.clip_info import probe
+from hapticplayer.model import ClockMap
 
 TURNS = ((0.5, 0.4), (0.3, 0.73))
 """Amplitude in rad and frequency in Hz of the roll, about the axis to the front."""
@@ -62,7 +63,8 @@ class Board:
         self._master, self._slave = os.openpty()
         tty.setraw(self._slave, termios.TCSANOW)
         os.set_blocking(self._master, False)
-        self.source = f"csv:{os.ttyname(self._slave)}"
+        # its lines would not fit into the usual 115200 baud
+        self.source = f"csv:{os.ttyname(self._slave)},baud=921600"
         self._batch_s, self._rng = batch_s, np.random.default_rng(seed)
         self._clock, self._over = SystemClock(), threading.Event()
         self._asleep = threading.Event()
@@ -98,6 +100,19 @@ class Board:
             if descriptor >= 0:
                 os.close(descriptor)
         self._master = self._slave = -1
+
+
+def clock_error_s(imu, take, clock_map=None):
+    """By how much a log of a board is late in media time, by what it has measured."""
+    clock_map = clock_map or ClockMap()
+    wall_s = take.zero_s + realtime_minus_monotonic_s()
+    media_s = clock_map.rate * imu.time_s + clock_map.offset_s
+    measured, late_s, step_s = imu.angular_rate_radps[:, 1], 0.0, 1e-3
+    for _ in range(5):
+        true, later = (rolled(wall_s + media_s - late_s + d)[:, 4] for d in (0, step_s))
+        slope = (later - true) / step_s
+        late_s -= float(slope @ (measured - true) / (slope @ slope))
+    return late_s
 
 
 class Kill(NamedTuple):
