@@ -122,9 +122,7 @@ def open_lsl(options: SourceOptions, clock: Clock) -> LiveSource:
             remedy="start the program that sends it, in the same network",
         )
     flags = library.proc_clocksync | library.proc_monotonize
-    inlet = library.StreamInlet(
-        found[0], max_buflen=60, recover=False, processing_flags=flags
-    )
+    inlet = library.StreamInlet(found[0], max_buflen=60, processing_flags=flags)
     try:
         channels = _channels(inlet.info(timeout=_RESOLVE_S))
         columns, to_si = _understood(channels, options, where)

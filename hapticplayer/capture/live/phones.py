@@ -40,12 +40,9 @@ Event = tuple[str, float, tuple[float, ...]]
 
 _Nanoseconds = Annotated[int, Meta(ge=-(1 << 62), le=1 << 62)]
 _POLL_S, _POLL_TIMEOUT_S = 0.05, 1.0
-LOST_S = 3.0
-"""A phone that does not answer for so long sleeps, or has gone."""
-
+_AGAIN_S = 1.0
 _MOST_BYTES, _MOST_WAITING = 8 << 20, 1000
 _UPDATE = Message("update the app, or choose another source")
-_PHONE = Message("wake the phone, look at its app and at the network, and try again")
 
 
 class Queued:
@@ -197,26 +194,23 @@ class PhyphoxSource:
         return content
 
     def _poll(self) -> None:
+        """Ask until it is closed; a phone that sleeps is asked again and again."""
         after_s: dict[str, float] = {}
-        answered_s = self._clock.now_s()
         try:
             while not self._stop.wait(_POLL_S):
+                is_first = not after_s
                 try:
                     content = self._get(phyphox_query(self._buffers, after_s))
                 except (OSError, http.client.HTTPException):
-                    if self._clock.now_s() - answered_s > LOST_S:
-                        raise self._lost() from None
                     continue
-                answered_s = self._clock.now_s()
+                now_s = self._clock.now_s()
                 events = list(phyphox_events(content, self._buffers, self._where))
                 for sensor, stamp_s, _ in events:
                     after_s[sensor] = max(stamp_s, after_s.get(sensor, stamp_s))
-                self._queued.put(events, answered_s)
+                if not is_first:  # which holds what was measured before
+                    self._queued.put(events, now_s)
         except HapticPlayerError as problem:
             self._queued.fail(problem)
-
-    def _lost(self) -> SourceLost:
-        return SourceLost("does not answer any more", where=self._where, remedy=_PHONE)
 
     def close(self) -> None:
         self._stop.set()
@@ -273,38 +267,48 @@ def sensor_server_event(content: bytes, where: str) -> Event | None:
 
 
 class SensorServerSource:
-    """Listens to the app's WebSocket."""
+    """Listens to the app's WebSocket; where it is closed, it is opened again."""
 
     def __init__(self, host: str, port: int, clock: Clock, where: str) -> None:
         self._clock, self._where, self._join = clock, where, SensorJoin()
         kinds = quote(json.dumps(list(SENSOR_SERVER_SENSORS)))
-        url = f"ws://{host}:{port}/sensors/connect?types={kinds}"
+        self._url = f"ws://{host}:{port}/sensors/connect?types={kinds}"
+        self._again_s = 0.0
         try:
-            self._connection = Connection(url, "SensorServer")
+            self._connection: Connection | None = self._opened()
         except DeviceError as problem:
             raise InputError("{reason}", where=where, reason=problem) from problem
 
+    def _opened(self) -> Connection:
+        return Connection(self._url, "SensorServer")
+
     def read(self, timeout_s: float) -> Samples:
         try:
-            text = self._connection.receive(max(0.0, timeout_s))
-            while text:
-                arrival_s = self._clock.now_s()
-                content = text.encode() if isinstance(text, str) else text
-                event = sensor_server_event(content, self._where)
-                if event is not None:
-                    self._join.add(*event, arrival_s)
-                text = self._connection.receive()
-        except DeviceError as problem:
-            samples = self._join.take()
-            if len(samples.stamp_s):
-                return samples  # the next read comes here again
-            raise SourceLost(
-                "has closed the connection", where=self._where, remedy=_PHONE
-            ) from problem
+            self._listen(max(0.0, timeout_s))
+        except DeviceError:
+            self.close()
+            self._again_s = self._clock.now_s() + _AGAIN_S
         return self._join.take()
 
+    def _listen(self, timeout_s: float) -> None:
+        if self._connection is None:
+            self._clock.sleep_until(min(self._clock.now_s() + timeout_s, self._again_s))
+            if self._clock.now_s() < self._again_s:
+                return
+            self._connection = self._opened()
+        text = self._connection.receive(timeout_s)
+        while text:
+            arrival_s = self._clock.now_s()
+            content = text.encode() if isinstance(text, str) else text
+            event = sensor_server_event(content, self._where)
+            if event is not None:
+                self._join.add(*event, arrival_s)
+            text = self._connection.receive()
+
     def close(self) -> None:
-        self._connection.close()
+        if self._connection is not None:
+            self._connection.close()
+        self._connection = None
 
 
 def open_sensor_server(options: SourceOptions, clock: Clock) -> LiveSource:

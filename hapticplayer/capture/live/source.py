@@ -34,6 +34,7 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_ACCELERATION_MPS2, MAX_ANGULAR_RATE_RADPS
 
 LIVE_OPTION = "--imu"
+_WINDOW_S, _LATE_S, _EVENLY_S, _MOST_DRIFT = 3.0, 0.5, 0.05, 2e-4
 _BACK_S = 0.5
 """Stamps that go back by less come out of order; by more the clock began anew."""
 
@@ -252,6 +253,7 @@ class OpenedSource:
         self.declares = source_answers.answered(row.declares, choices)
         self.listener: Callable[[Samples], None] | None = None
         self._last_s = -np.inf
+        self._window, self._before_s, self._best_s = (-np.inf, np.inf), np.inf, np.inf
         self._to_si = (
             factor(self.declares.accel_unit, ACCEL_UNITS, "accel-unit"),
             factor(self.declares.rate_unit, RATE_UNITS, "rate-unit"),
@@ -277,6 +279,8 @@ class OpenedSource:
     def _in_si(self, samples: Samples) -> Samples:
         if not len(samples.stamp_s):
             return samples
+        if self.row.has_stamps:
+            self._refuse_another_clock(samples)
         samples = samples.where(self._in_order(samples.stamp_s))
         accel, rate = own_axes((samples.accel_mps2, samples.rate_radps), self._choices)
         sign = -1.0 if self.declares.accel_sign == "-" else 1.0
@@ -286,6 +290,30 @@ class OpenedSource:
             is_sane = np.all(np.abs(accel) <= MAX_ACCELERATION_MPS2, axis=1)
         samples = samples._replace(accel_mps2=accel, rate_radps=rate)
         return samples.where(np.asarray(is_sane))
+
+    def _refuse_another_clock(self, samples: Samples) -> None:
+        """Raise SourceLost where its clock stood still, as in a pause of its app.
+
+        Then its samples come later for good, and evenly; those of a link that was down
+        come less and less late.
+        """
+        delay_s = float(np.min(samples.arrival_s - samples.stamp_s))
+        now_s = float(samples.arrival_s[-1])
+        begin_s, least_s = self._window
+        if now_s - begin_s < _WINDOW_S:
+            self._window = begin_s, min(least_s, delay_s)
+            return
+        late_s = min(least_s, self._before_s) - self._best_s
+        if late_s > _LATE_S and abs(least_s - self._before_s) < _EVENLY_S:
+            raise SourceLost(
+                "its clock stood still for {late_s:.1f} s",
+                where=self.text,
+                remedy="do not pause its app; record again",
+                late_s=late_s,
+            )
+        drift_s = _MOST_DRIFT * _WINDOW_S
+        self._best_s = min(self._best_s + drift_s, least_s)
+        self._window, self._before_s = (now_s, delay_s), least_s
 
     def _in_order(self, stamp_s: Floats) -> NDArray[np.bool_]:
         """A mask of the stamps that are later than all before."""

@@ -112,6 +112,30 @@ def test_stamps_come_out_increasing_or_end_the_source():
         source.read(0.0)
 
 
+def at(arrival_s, stamp_s):
+    return rows(stamp_s)._replace(arrival_s=np.array([arrival_s]))
+
+
+def read_all(sent):
+    source = OpenedSource("board:x", ROW, Sent(*sent), LogChoices())
+    return np.concatenate([source.read(0.0).stamp_s for _ in sent])
+
+
+def test_a_clock_that_stood_still_ends_the_source():
+    """Its app was paused for 4 s: all later samples would be placed 4 s early."""
+    times = np.arange(0.0, 40.0, 0.25)
+    sent = [
+        at(100.0 + t, t if t < 20.0 else t - 4.0) for t in times if not 20 <= t < 24
+    ]
+    with pytest.raises(SourceLost, match=r"stood still for 4.0 s; do not pause"):
+        read_all(sent)
+
+
+def test_a_link_that_was_down_catches_up_and_is_believed():
+    sent = [at(100.0 + (t if t < 20.0 else max(t, 30.0 + 0.3 * (t - 20.0))), t) for t in np.arange(0.0, 60.0, 0.25)]  # fmt: skip
+    assert len(read_all(sent)) == len(sent)
+
+
 @pytest.mark.parametrize("value", [np.nan, np.inf, 1e300])
 def test_samples_that_no_sensor_reads_are_left_out(value):
     samples = rows(1.0, 2.0, 3.0)
