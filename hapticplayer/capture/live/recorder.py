@@ -16,12 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.live.imu_file import ImuFile
-from hapticplayer.capture.live.source import LiveSource
+from hapticplayer.capture.live.source import LiveSource, OpenedSource
 from hapticplayer.capture.live.stream_watch import StreamWatch
 from hapticplayer.capture.recorded import CLIP, LOG, Gap, Stream, Take
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import (
     HapticPlayerError,
+    InputError,
     MediaError,
     Message,
     UsageError,
@@ -40,6 +41,9 @@ from hapticplayer.storage import (
 
 LOW_BYTES = 500 << 20
 """Of free disk, below which a person is told."""
+
+CHECK_AT_S = 20.0
+"""When what an IMU has sent is compared with gravity."""
 
 _LOOK_S, _SYNC_S, _DESCRIBE_S, _JOIN_S = 0.1, 1.0, 5.0, 3.0
 _CAMERA_STALL_S, _SOURCE_STALL_S, _SOUND_STALL_S = 1.0, 0.5, 1.0
@@ -268,6 +272,7 @@ class Recorder:
 
     def _look_after(self) -> None:
         synced_s = described_s = self._clock.now_s()
+        is_checked = False
         while not self._stopping.wait(_LOOK_S):
             now_s = self._clock.now_s()
             self._tell_of_silence()
@@ -278,6 +283,17 @@ class Recorder:
             if now_s - described_s >= _DESCRIBE_S:
                 described_s = now_s
                 self._describe()
+            if not is_checked and self._elapsed_s() >= CHECK_AT_S:
+                is_checked = True
+                self._tell_of_contradiction()
+
+    def _tell_of_contradiction(self) -> None:
+        """Tell, once, where gravity contradicts what is known of the IMU."""
+        if isinstance(self._source, OpenedSource) and self._motion.count:
+            try:
+                self._source.checked()
+            except (InputError, UsageError) as problem:
+                self._tell(message_of(problem))
 
     def _tell_of_silence(self) -> None:
         for watch in self._watches():

@@ -7,6 +7,7 @@ and extras add theirs with a function `live_sources()`.
 What a source does not declare (unit, sign, axes) is asked once and kept for it.
 """
 
+from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -34,6 +35,9 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_ACCELERATION_MPS2, MAX_ANGULAR_RATE_RADPS
 
 LIVE_OPTION = "--imu"
+CHECKED_S = 30.0
+"""The last samples, which tell whether the answers about a source are right."""
+
 _WINDOW_S, _LATE_S, _EVENLY_S, _MOST_DRIFT = 3.0, 0.5, 0.05, 2e-4
 _BACK_S = 0.5
 """Stamps that go back by less come out of order; by more the clock began anew."""
@@ -252,6 +256,7 @@ class OpenedSource:
         self.text, self.row, self._inner, self._choices = text, row, inner, choices
         self.declares = source_answers.answered(row.declares, choices)
         self.listener: Callable[[Samples], None] | None = None
+        self._recent: deque[Samples] = deque()
         self._last_s = -np.inf
         self._window, self._before_s, self._best_s = (-np.inf, np.inf), np.inf, np.inf
         self._to_si = (
@@ -272,6 +277,10 @@ class OpenedSource:
     def read(self, timeout_s: float) -> Samples:
         """See `LiveSource`."""
         samples = self._in_si(self._inner.read(timeout_s))
+        if len(samples.stamp_s):
+            self._recent.append(samples)
+            while self._recent[0].arrival_s[-1] < samples.arrival_s[-1] - CHECKED_S:
+                self._recent.popleft()
         if self.listener is not None:
             self.listener(samples)
         return samples
@@ -327,12 +336,14 @@ class OpenedSource:
         self._last_s = float(before[-1])
         return np.asarray(stamp_s > before[:-1])
 
-    def checked(self, samples: Samples) -> Recording:
-        """What it has measured, checked at rest and in turns; see `source_answers`."""
-        values = samples.accel_mps2, samples.rate_radps
+    def checked(self) -> Recording:
+        """The last half minute, checked at rest and in turns; see `source_answers`."""
+        parts = zip(*(Samples.of(()), *self._recent), strict=True)
+        recent = Samples(*(np.concatenate(part) for part in parts))
+        values = recent.accel_mps2, recent.rate_radps
         declares, choices = self.row.declares, self._choices
         return source_answers.checked(
-            samples.stamp_s, values, declares, choices, self.text
+            recent.stamp_s, values, declares, choices, self.text
         )
 
     def close(self) -> None:

@@ -61,6 +61,9 @@ _QUESTIONS = {
         ("rate-unit=rad/s", "rate-unit=deg/s"),
     ),
 }
+_NO_GRAVITY_MPS2 = 0.5
+"""A mean reading below it is no gravity, not even one in g."""
+
 _ANSWERED = (*_QUESTIONS, "axes")
 
 
@@ -126,6 +129,9 @@ def checked(
         InputError: where they are no motion with gravity.
     """
     known = answered(declares, choices)
+    if not len(time_s):
+        remedy = Message("see whether it is switched on")
+        raise InputError("has sent no sample yet", where=text, remedy=remedy)
     if np.linalg.norm(np.median(samples[0], axis=0)) < _NO_GRAVITY_MPS2:
         raise InputError(
             "sends acceleration from which gravity was removed",
@@ -152,6 +158,3 @@ def _as_stored(values: Floats, axes: str) -> Floats:
     """What `own_axes` was given."""
     change = signed_axes(axes) if axes else None
     return values if change is None else np.asarray(values @ change)
-
-
-_NO_GRAVITY_MPS2 = 1.0

@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.live import recorder
 from hapticplayer.capture.live.source import (
     OpenedSource,
     Samples,
@@ -10,7 +11,7 @@ from hapticplayer.capture.live.source import (
     live_sources,
     open_source,
 )
-from hapticplayer.clock import ManualClock
+from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.errors import InputError, Message, UsageError
 from hapticplayer.extras.rides.motion_scenes import simulate_motion
 
@@ -18,10 +19,13 @@ from hapticplayer.extras.rides.motion_scenes import simulate_motion
 class Sent:
     """A source that gives what a test sends, once each."""
 
-    def __init__(self, *parts):
-        self.parts = list(parts)
+    def __init__(self, *parts, rest=None):
+        self.parts, self.rest = list(parts), rest
 
     def read(self, timeout_s):
+        if self.rest is not None and not self.parts:
+            self.rest.sleep_until(self.rest.now_s() + timeout_s)
+            return Samples.of(())
         return self.parts.pop(0)
 
     def close(self):
@@ -58,7 +62,8 @@ def answer_of(question, start):
 
 def test_a_source_that_agrees_with_gravity_is_believed(motion):
     source = opened(motion)
-    found = source.checked(source.read(0.0))
+    source.read(0.0)
+    found = source.checked()
     assert found.provenance["is_rate_compared"]
     assert found.imu.specific_force_mps2 == pytest.approx(motion.accel_mps2, abs=1e-3)
 
@@ -77,22 +82,40 @@ def test_a_source_that_agrees_with_gravity_is_believed(motion):
 def test_gravity_shows_a_wrong_answer_and_the_right_one_is_kept(motion, change, key):
     wrong = change(motion)
     source = opened(wrong)
+    source.read(0.0)
     with pytest.raises(LogQuestion, match=key) as asked:
-        source.checked(source.read(0.0))
+        source.checked()
     source = opened(wrong, **answer_of(asked.value, key))
     right = source.read(0.0)
     assert right.accel_mps2 == pytest.approx(motion.accel_mps2, rel=0.02, abs=0.1)
     assert right.rate_radps == pytest.approx(motion.rate_radps, rel=0.02, abs=0.1)
-    source.checked(right)
+    source.checked()
 
 
 def test_acceleration_without_gravity_is_refused(motion):
     free = np.random.default_rng(2).normal(0.0, 1.5, motion.accel_mps2.shape)
     source = opened(motion._replace(accel_mps2=free))
+    source.read(0.0)
     with pytest.raises(
         InputError, match="gravity was removed; choose its acceleration"
     ):
-        source.checked(source.read(0.0))
+        source.checked()
+
+
+@pytest.mark.realtime
+def test_a_recorder_tells_where_gravity_contradicts(motion, tmp_path, monkeypatch):
+    monkeypatch.setattr(recorder, "CHECK_AT_S", 0.2)
+    wrong = motion._replace(accel_mps2=motion.accel_mps2 / 9.80665)
+    clock = SystemClock()
+    source = OpenedSource("board:x", ROW, Sent(wrong, rest=clock), LogChoices())
+    made = recorder.Recorder(tmp_path / "take", None, None, source, clock)
+    made.start()
+    until_s, told = clock.now_s() + 10.0, ""
+    while "accel-unit=g" not in told and clock.now_s() < until_s:
+        clock.sleep_until(clock.now_s() + 0.05)
+        told = " ".join(made.snapshot().notices)
+    made.stop()
+    assert "decide with --read-as accel-unit=g" in told
 
 
 def rows(*stamps):
