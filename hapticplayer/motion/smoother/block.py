@@ -28,6 +28,7 @@ from hapticplayer.motion.smoother.least_squares import (
     GYRO_SCALE,
     with_prior,
 )
+from hapticplayer.motion.smoother.mixture import MIN_WEIGHT, is_short, mixed
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.samples import InertialSamples
@@ -171,8 +172,11 @@ def _smoothed(
     state = _with_motion(_first(block, start))
     while (found := _next(block, state)) is not None:
         state = found
-    state = _with_floor(block, _with_gyro_scale(block, state))
-    state = _with_time_constant(state, block.p)
+    state = _with_gyro_scale(block, state)
+    if is_short(state) and block.p.time_constant_s is None:
+        state = _with_plain_share(block, mixed(block, state))
+    else:
+        state = _with_time_constant(_with_floor(block, state), block.p)
     return _result(block, state, with_sigma=with_sigma)
 
 
@@ -352,11 +356,26 @@ def _with_floor(block: Block, state: BlockState) -> BlockState:
     factor = gyro_noise_factor(state.problem, solution, body, p)
     if factor == 1.0:
         return state
-    nodes = state.integration.nodes
-    floor = floor_under(solution.tilt, nodes, state.frames, factor, p)
+    return _floored(block, state, factor, 1.0)
+
+
+def _with_plain_share(block: Block, state: BlockState) -> BlockState:
+    """Put the plain estimate under a mixture as far as the gyro is noisy."""
+    if state.mixture is None or state.mixture.noisy_share < MIN_WEIGHT:
+        return state
+    factor, share = state.mixture.noise_factor, state.mixture.noisy_share
+    return _floored(block, state, factor, share)
+
+
+def _floored(
+    block: Block, state: BlockState, noise_factor: float, share: float
+) -> BlockState:
+    """Return the solution with a share of the plain estimate under it."""
+    nodes, tilt = state.integration.nodes, state.solution.tilt
+    floor = floor_under(tilt, nodes, state.frames, noise_factor, block.p)
     # at rest the smoother's is level
     resting = np.concatenate([[False], at_rest(block, state), [False]])
-    weight = np.where(resting[1:] | resting[:-1], 0.0, floor.weight)
+    weight = np.where(resting[1:] | resting[:-1], 0.0, share * floor.weight)
     return replace(state, floor=replace(floor, weight=weight))
 
 
@@ -401,10 +420,16 @@ def _result(block: Block, state: BlockState, *, with_sigma: bool) -> Smoothed:
 def _calibration(state: BlockState, p: SmootherParameters) -> Calibration:
     total, solution = state.calibration, state.solution
     unit = np.eye(len(solution.calibration), BIAS_COLUMNS)
-    sigma = np.sqrt(np.diag(solution.covariance_times(unit)))
-    time_constant_s, floor = p.time_constant_of_s(state.known.bound_mps), state.floor
-    if floor is not None:
-        time_constant_s = floor.mixed(time_constant_s, SHORT_MEMORY_S)
+    time_constant_s, noise_factor = p.time_constant_of_s(state.known.bound_mps), 1.0
+    if state.mixture is not None:
+        sigma = np.sqrt(state.mixture.calibration_variance[:BIAS_COLUMNS])
+        time_constant_s = np.full_like(time_constant_s, state.mixture.time_constant_s)
+        noise_factor = state.mixture.noise_factor
+    else:
+        sigma = np.sqrt(np.diag(solution.covariance_times(unit)))
+    if state.floor is not None:
+        time_constant_s = state.floor.mixed(time_constant_s, SHORT_MEMORY_S)
+        noise_factor = state.floor.noise_factor
     return Calibration(
         gyro_bias_radps=total[GYRO_BIAS],
         gyro_bias_sigma_radps=sigma[GYRO_BIAS],
@@ -414,6 +439,6 @@ def _calibration(state: BlockState, p: SmootherParameters) -> Calibration:
         accelerometer_scale_sigma=float(sigma[ACCEL_SCALE]),
         time_constant_s=time_constant_s,
         vehicle_weight=state.motion.vehicle_weight,
-        gyro_noise_factor=1.0 if floor is None else floor.noise_factor,
+        gyro_noise_factor=noise_factor,
         gyro_scale=1.0 + total[GYRO_SCALE],
     )

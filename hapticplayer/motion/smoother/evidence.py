@@ -28,6 +28,7 @@ from hapticplayer.motion.smoother.least_squares import (
     half_solve,
     horizontal_factor,
     right_sides,
+    tridiagonal,
     vertical_right_sides,
     with_fixed_calibration,
     with_prior,
@@ -184,14 +185,14 @@ def log_evidences(
     normal = normal - half @ half.swapaxes(1, 2)
     log_det = 2.0 * 2.0 * _sums(np.log(factor[0]), count)
     # the vertical velocity alone
-    prior = _diagonal(chain.bound_weight, chain.zero_velocity_weight)
+    prior = tridiagonal(chain.bound_weight, chain.zero_velocity_weight)
     log_weights = 3.0 * _sums(
         np.log(lapack.dpttrf(prior, -chain.zero_velocity_weight)[0]), count
     )
     side = chain.zero_velocity_weight + chain.velocity_weight
     vertical = vertical_right_sides(problem)
     main, _, solved, _ = lapack.dptsv(
-        _diagonal(chain.bound_weight, side), -side, np.tile(vertical, count).T
+        tridiagonal(chain.bound_weight, side), -side, np.tile(vertical, count).T
     )
     normal -= vertical @ solved.reshape(count, -1, columns)
     log_det += _sums(np.log(main), count)
@@ -231,13 +232,6 @@ def _chain(problem: Problem, models: Sequence[VelocityModel]) -> Problem:
         zero_velocity_weight=repeated(problem.zero_velocity_weight + change),
         bound_weight=bound.reshape(-1),
     )
-
-
-def _diagonal(at_nodes: Floats, between: Floats) -> Floats:
-    main = at_nodes.copy()
-    main[1:] += between
-    main[:-1] += between
-    return main
 
 
 def _sums(values: Floats, parts: int) -> Floats:

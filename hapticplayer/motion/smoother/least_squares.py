@@ -89,8 +89,13 @@ class Solution:
         return np.asarray(found)
 
 
-def minimise(problem: Problem) -> Solution:
-    """Return tilt, velocity and calibration of least squares."""
+def minimise(problem: Problem, upwards: Problem | None = None) -> Solution:
+    """Return tilt, velocity and calibration of least squares.
+
+    Args:
+        problem: the block.
+        upwards: the same with other weights of the vertical velocity.
+    """
     half = 0.5 * STANDARD_GRAVITY_MPS2 * problem.duration_s
     tilt, push = problem.tilt, problem.impulse[:, :2]
     weighted_tilt = problem.tilt_weight * tilt
@@ -106,7 +111,7 @@ def minimise(problem: Problem) -> Solution:
     rest += v[..., :-1]
     rest -= half * (s[..., 1:] + s[..., :-1])
     normal += weighted_push.reshape(columns, -1) @ rest.reshape(columns, -1).T
-    normal += _vertical_normal(problem)
+    normal += _vertical_normal(upwards or problem)
     return _with_best_calibration(states, normal, problem.prior, problem.prior_weight)
 
 
@@ -261,14 +266,20 @@ def vertical_right_sides(problem: Problem) -> Floats:
     return sides
 
 
+def tridiagonal(at_nodes: Floats, between: Floats) -> Floats:
+    """Return the diagonal (K + 1,) of weights at nodes and of changes (K,)."""
+    main = at_nodes.copy()
+    main[1:] += between
+    main[:-1] += between
+    return main
+
+
 def _vertical_normal(problem: Problem) -> Floats:
     """The part of the vertical velocity in the normal equations of the calibration."""
     push = problem.impulse[:, 2]
     weighted = problem.velocity_weight * push
     side = problem.velocity_weight + problem.zero_velocity_weight
-    main = problem.bound_weight.copy()
-    main[1:] += side
-    main[:-1] += side
+    main = tridiagonal(problem.bound_weight, side)
     right = vertical_right_sides(problem)
     *_, found, failed = lapack.dptsv(main, -side, right.T, overwrite_b=1)
     if failed:

@@ -46,6 +46,8 @@ MIN_BLOCK_WINDOWS = 8
 # Windows of so few samples, or that turn further, need no first solution on means;
 # twice that turn costs 3 %.
 FEW_WINDOW_SAMPLES, MAX_COARSE_WINDOW_TURN_RAD = 2, 2.0
+# A gyro that is noisier than usual, in a short block.
+NOISY_GYRO_FACTOR = 3.0
 # Before the first solution.
 UNKNOWN_MOTION = Locomotion()
 
@@ -105,6 +107,28 @@ class Integration:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Mixture:
+    """What the mean over models says beside its solution.
+
+    Attributes:
+        variance: (K + 1,) of both tilts together, rad^2.
+        calibration_variance: (C,).
+        time_constant_s: of the levelling, the mean.
+        noisy_share: probability of a gyro that is noisier than usual.
+    """
+
+    variance: Floats
+    calibration_variance: Floats
+    time_constant_s: float
+    noisy_share: float
+
+    @property
+    def noise_factor(self) -> float:
+        """The gyro is most likely so many times noisier than usual."""
+        return NOISY_GYRO_FACTOR if self.noisy_share > 0.5 else 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class BlockState:
     """What has been found about a block so far.
 
@@ -117,6 +141,7 @@ class BlockState:
         motion: how the sensor moves along.
         solutions: how many there have been.
         floor: the plain estimate, None where the gyro is as usual.
+        mixture: of a short block.
     """
 
     integration: Integration
@@ -127,6 +152,7 @@ class BlockState:
     motion: Locomotion = UNKNOWN_MOTION
     solutions: int = 1
     floor: Floor | None = None
+    mixture: Mixture | None = None
 
     @property
     def vertical(self) -> Floats:

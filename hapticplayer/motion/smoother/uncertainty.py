@@ -169,10 +169,13 @@ def sigma_rad(
         gyro_bias_radps: (3,) found, in all.
         tilt: (2, K + 1) of the smoother after levelling at rest, without the floor.
     """
-    excess = _excess(state, block.p)
-    variance = tilt_variance(
-        state.problem, state.solution, gyro_bias_radps, excess, block.p
-    )
+    if state.mixture is not None:
+        variance = state.mixture.variance + TILT_SIGMA_FLOOR_RAD**2
+    else:
+        excess = _excess(state, block.p)
+        variance = tilt_variance(
+            state.problem, state.solution, gyro_bias_radps, excess, block.p
+        )
     per_node = block.samples_per_node
     turn_rad = state.integration.nodes.turned_rad / per_node
     variance += _turning_variance(turn_rad, block.samples.held())

@@ -65,12 +65,12 @@ def test_a_calibration_halves_the_error_of_ten_seconds(scene):
 
 
 def test_ten_seconds_of_a_phone_need_what_the_rest_tells(optical):
-    """0.9 m/s^2 are left where only the ten seconds are known."""
+    """Its bias of 4 deg/s left 0.9 m/s^2 where a drift was taken for a velocity."""
     phone = next(one for one in optical("tyrex native") if "FrontPocket" in one.name)
     alone, calibrated = clip_errors_mps2(phone.log, phone.up, phone.counted)
     whole = remove_gravity(phone.log).gravity_mps2 / STANDARD_GRAVITY_MPS2
     miss = 9.81 * np.linalg.norm(whole - phone.up, axis=1)[phone.counted]
-    assert alone > 0.7
+    assert alone < 0.5
     assert calibrated < 0.35
     assert np.sqrt(np.mean(np.square(miss))) < 0.30
 
@@ -137,4 +137,4 @@ def test_stillness_in_one_block_calibrates_the_others(still_s):
     late[:count] = False
     miss = track.gravity_mps2[count:] - STANDARD_GRAVITY_MPS2 * up
     error = float(np.sqrt(np.mean(np.square(miss[late[count:]]).sum(axis=1))))
-    assert (error < 0.2) == (still_s > 3.0)
+    assert (error < 0.1) == (still_s > 3.0)
