@@ -86,7 +86,7 @@ WHEELED = tuple(
 )
 # A calibrated sensor, a usual one, and one whose gyro has a wrong scale.
 SENSORS = (
-    SensorGrade(0.006, 0.03, 0.0065),
+    SensorGrade(0.006, 0.06, 0.0065),
     SensorGrade(0.05, 0.14, 0.0065),
     SensorGrade(0.05, 0.14, 0.03),
 )
