@@ -112,7 +112,9 @@ def formula_of(score: Score) -> str:
     text = f"{score.by} of {', '.join(names)}"
     if score.least_answered:
         text += f" (of those answered, at least {score.least_answered})"
-    return text if score.polynomial == (0.0, 1.0) else f"{' + '.join(terms)}; x: {text}"
+    if score.polynomial == (0.0, 1.0):
+        return text
+    return f"{' + '.join(terms)}; x: {text}".replace("+ -", "- ")
 
 
 def faults_of_scores(page: QuestionPage) -> Iterator[Fault]:

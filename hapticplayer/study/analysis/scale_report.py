@@ -22,9 +22,11 @@ from hapticplayer.study.score_answers import ScoreAnswers
 from hapticplayer.study.scoring import formula_of
 
 _NOTE = (
-    "Alpha and omega (one factor) are of the items, each once and in the direction of the "
-    "score; -: fewer than two items (omega: three) or participants, an item that all "
-    "answered alike, or a score that is made of scores. After clips they are of the "
+    "Alpha (Cronbach L. J., 1951, Psychometrika 16, 297-334) and omega of one factor "
+    "(McDonald R. P., 1999, Test theory) are of the items, each once and in the direction "
+    "of the score, and of those who answered all ('whole'); -: fewer than two items (omega: "
+    "three) or participants, an item that all answered alike, or a score that is made of "
+    "scores. After clips they are of the "
     "participants' means over the sequences, which are more reliable than single answers. "
     "With few participants both are rough."
 )
@@ -100,7 +102,7 @@ def scale_tables(answers: Answers) -> Iterator[ReportBlock]:
         yield Paragraph(text)
     head = ("score", "shown", "n", "mean", "SD", "median", "range of the scale")
     rows = tuple(_row(one) for one in answers.scores)
-    yield ReportTable("Scores", (*head, "alpha", "omega"), rows, _NOTE)
+    yield ReportTable("Scores", (*head, "whole", "alpha", "omega"), rows, _NOTE)
     if changes := tuple(_change_row(*pair) for pair in _repeated(answers)):
         columns = (one.head for one in WILCOXON.columns if one.key != "p_holm")
         heads = ("score", "from", "mean change", *columns)
@@ -123,6 +125,7 @@ def _row(one: ScoreAnswers) -> tuple[str, ...]:
         number(found["sd"]),
         number(found["median"]),
         "{:g} to {:g}".format(*one.limits),
+        str(quality.n),
         number(quality.alpha),
         number(quality.omega),
     )

@@ -216,6 +216,7 @@ def answered(tmp_path_factory):
     for name, key, when in (
         ("mssq-short", "mssq", When.BEFORE),
         ("ssq", "pre", When.BEFORE),
+        ("fms", "base", When.BEFORE_CLIP),
         ("ueq-s", "ueq", When.AFTER_CLIP),
         ("misc", "now", When.AFTER_CLIP),
         ("ssq", "post", When.AFTER),
@@ -241,6 +242,7 @@ def test_scores_are_columns_with_their_meaning(answered, tmp_path):
         sheet = [int(row[q.key]) for q in pages["ueq"].questions]
         assert float(row["ueq_hedonic"]) == pytest.approx(by_ueq_s(sheet)["hedonic"])
         assert row["now_misc"] in map(str, range(11))
+        assert row["base_fms"] in map(str, range(21))
     meant = {one["column"]: one for one in table(out / "data_dictionary.csv")}
     assert "9.54 x; x: sum of pre_discomfort" in meant["pre_n"]["meaning"]
     assert meant["pre_n"]["unit_or_levels"] == "from 0 to 200.34"
@@ -272,15 +274,15 @@ def test_the_report_has_scores_reliability_and_change(answered):
     report = analyse_study(read_answers(answered.folder))
     scales = report.numbers["scales"]
     people = [dict(p.values) for p in read_answers(answered.folder).participants]
-    pre = [
-        by_ssq([p[q.key] for q in answered.definition.pages[-4].questions])["total"]
-        for p in people
-    ]
+    pages = {page.key: page for page in answered.definition.pages}
+    pre = [by_ssq([p[q.key] for q in pages["pre"].questions])["total"] for p in people]
     assert scales["pre_total"]["mean"] == pytest.approx(np.mean(pre), abs=1e-6)
     assert scales["pre_total"]["items"] == 16
     assert scales["post_total"]["change_from"] == "pre_total"
     assert scales["post_total"]["change"]["n"] == 6
     assert set(scales["ueq_hedonic"]["feedbacks"]) == {"realistic", "none", "random"}
+    counted = report.numbers["questions"]["base_fms"]["feedbacks"]
+    assert {one["n"] for one in counted.values()} == {6 * 4}
     texts = "\n".join(map(repr, report.blocks))
     assert "Kennedy R. S." in texts
     assert "Change from before to after" in texts
