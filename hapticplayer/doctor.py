@@ -28,11 +28,14 @@ if not __package__:  # a program of its own
 from hapticplayer.errors import Message, joined
 from hapticplayer.installation import (
     EXTRAS,
+    IS_CLONE,
+    NAME,
     ROOT,
     UDEV_RULE,
     Extra,
     how_to_get,
     is_beside_venv,
+    is_debian,
     shipped,
 )
 
@@ -40,7 +43,7 @@ APT_LIST = shipped("packaging/apt-packages.txt")
 APT_INSTALL = "apt-get install --no-install-recommends"
 OLDEST_PYTHON = (3, 11)
 RUN_GROUPS = (
-    *["base"] * (ROOT / "packaging").is_dir(),  # to set up a source tree
+    *["base"] * IS_CLONE,  # to set it up
     *("qt", "window", "wayland", "sound", "device"),
 )
 CHECKS_GROUP = "checks"
@@ -354,7 +357,9 @@ def _check_scheduling() -> MachineCheck:
         Message("scheduling"),
         ok,
         detail=detail,
-        remedy=Message(
+        remedy=Message("add yourself to the group {name}, log in again", name=NAME)
+        if is_debian()
+        else Message(
             "allow rtprio {n} and memlock in /etc/security/limits.d", n=LOOP_PRIORITY
         ),
     )

@@ -14,6 +14,7 @@ from pathlib import Path
 from hapticplayer.errors import InputError, Message, shell_line
 
 ROOT = Path(__file__).resolve().parent.parent
+IS_CLONE = (ROOT / "run").is_file()
 NAME = "hapticplayer"
 ADDED = Path("/usr/local/lib") / NAME
 """Where the Debian package also looks for Python packages, in a folder for each Python."""

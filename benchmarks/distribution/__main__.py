@@ -8,6 +8,7 @@ PLACES = {
     "one_file": "distribution.one_file",
     "web": "distribution.web",
     "formats": "distribution.formats",
+    "installed": "distribution.installed",
     "ten_hours": "distribution.ten_hours",
     "damage": "campaigns:force_damage",
 }

@@ -53,6 +53,7 @@ application() {
     "$own"/lib/python*/site-packages/matplotlib/tests
   find "$own"/lib/python*/site-packages/scipy -name tests -prune -exec rm -rf -- {} +
   find "$own" -name '*.pyi' -delete
+  find "$own" -name __pycache__ -prune -exec rm -rf -- {} +
   find "$own/lib" -type f -exec chmod 644 -- {} +
   printf 'home = /usr/bin\ninclude-system-site-packages = false\n' >"$own/pyvenv.cfg"
   ln -s /usr/bin/python3 "$own/bin/python3"
@@ -127,5 +128,5 @@ find "$tree" -newermt "@$SOURCE_DATE_EPOCH" -print0 |
   xargs -0 touch --no-dereference --date="@$SOURCE_DATE_EPOCH"
 mkdir -p -- "$out"
 say "packing $(du -sm -- "$tree" | cut -f1) MB"
-dpkg-deb --root-owner-group -Zxz -z3 --build "$tree" "$out/hapticplayer_${version}_amd64.deb" >&2
+dpkg-deb --root-owner-group -Zxz -z1 --build "$tree" "$out/hapticplayer_${version}_amd64.deb" >&2
 say "made $out/hapticplayer_${version}_amd64.deb"

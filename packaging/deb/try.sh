@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Try the package in a bare system: `packaging/deb/try.sh ROOT FILE.deb`, as root.
 # ROOT is the folder of a Debian that mmdebstrap has made (--variant=minbase), on which
-# nothing was installed yet; what the trial needs is put there first. Steps: lintian, install,
-# doctor, the demo without a screen, a packed ride by its MIME type on a virtual screen,
-# man page, removal without a trace. Ends with 1 at the first step that fails.
+# nothing was installed yet; what the trial needs is put there first. Steps: install, doctor, the
+# demo without a screen, man page, a packed ride by its MIME type on a virtual screen,
+# removal without a trace, lintian. Ends with 1 at the first step that fails.
 set -euo pipefail
 root=$(readlink -f -- "$1")
 deb=$(readlink -f -- "$2")
@@ -36,12 +36,8 @@ files() {
 step "what the trial needs"
 apt update
 apt install --no-install-recommends lintian xvfb x11-utils xdg-utils shared-mime-info \
-  desktop-file-utils libfile-mimeinfo-perl man-db
+  desktop-file-utils libfile-mimeinfo-perl man-db xauth
 files >"$root/srv/before"
-
-step "lintian"
-inside lintian --allow-root --fail-on error /srv/hapticplayer.deb >"$root/srv/lintian" || { grep '^E:' "$root/srv/lintian"; exit 1; }
-grep -c '^W:' "$root/srv/lintian" | sed 's/$/ warnings/' || true
 
 step "install"
 apt install --no-install-recommends /srv/hapticplayer.deb
@@ -64,9 +60,9 @@ for file in /srv/ride /srv/ride.mkv; do
   kind=$(inside xdg-mime query filetype "$file")
   entry=$(inside xdg-mime query default "$kind")
   printf '%s is %s, opened by %s\n' "$file" "$kind" "$entry"
-  [[ $entry == hapticplayer.desktop ]]
+  [[ $entry == hapticplayer.desktop ]] || exit 1
 done
-inside xvfb-run -a sh -c '
+inside xvfb-run -a bash -c '
   setsid xdg-open /srv/ride & opener=$!
   for _ in $(seq 60); do
     sleep 1
@@ -85,4 +81,10 @@ if ! diff "$root/srv/before" "$root/srv/after"; then
   exit 1
 fi
 if inside getent group hapticplayer; then exit 1; fi
+step "lintian"
+inside lintian --allow-root --fail-on error /srv/hapticplayer.deb >"$root/srv/lintian" || {
+  grep '^E:' "$root/srv/lintian"
+  exit 1
+}
+printf '%s warnings\n' "$(grep -c '^W:' "$root/srv/lintian")"
 step "all steps passed"

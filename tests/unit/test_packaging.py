@@ -13,7 +13,11 @@ from hapticplayer import doctor
 
 ROOT = doctor.ROOT
 LOCKS = ("requirements.lock", "requirements-dev.lock")
-SCRIPTS = ("run", "test", ".ci/run", "packaging/setup.sh", "tools/lock.sh")
+SCRIPTS = (
+    *("run", "test", ".ci/run", "tools/lock.sh"),
+    *("packaging/setup.sh", "packaging/wheels.sh", "packaging/release.sh"),
+    *("packaging/deb/build.sh", "packaging/deb/try.sh", "packaging/offline/build.sh"),
+)
 # Written so that this line does not match itself.
 MACHINE_PATH = re.compile(rb"/(wor[k]|roo[t]|tm[p]/[a-z]+|hom[e]/[a-z]+)/")
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from hapticplayer.cli.common import say
 from hapticplayer.errors import InputError, shell_line
 from hapticplayer.extras.desktop.man_page import man_page
-from hapticplayer.installation import ROOT, UDEV_RULE, shipped
+from hapticplayer.installation import IS_CLONE, ROOT, UDEV_RULE, shipped
 
 RESOURCES = shipped("resources/desktop")
 ENTRY = "hapticplayer.desktop"
@@ -96,7 +96,7 @@ def share_of(prefix: Path | None) -> Path:
 
 def own_command() -> Path:
     """What starts this installation, whatever the PATH of the desktop is."""
-    if (ROOT / "run").is_file():  # a clone, which sets up what is missing
+    if IS_CLONE:  # it sets up what is missing
         return ROOT / "run"
     beside = Path(sys.executable).with_name("hapticplayer")
     return beside if beside.is_file() else Path(shutil.which("hapticplayer") or beside)
