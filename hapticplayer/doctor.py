@@ -224,7 +224,9 @@ def _check_python_packages() -> MachineCheck:
         detail=Message("missing: {names}", names=", ".join(missing))
         if missing
         else ", ".join(found),
-        remedy=Message("./run sets them up in .venv"),
+        remedy=Message("./run sets them up in .venv")
+        if IS_CLONE
+        else Message("install the program again"),
     )
 
 
@@ -436,7 +438,8 @@ def explain_import_error(error: ImportError | OSError) -> str:
     if isinstance(error, ModuleNotFoundError) and error.name:
         module = error.name.partition(".")[0]
         package = PYTHON_PACKAGES.get(module, module)
-        return f"The Python package {package} is missing; ./run sets it up in .venv."
+        how = "./run sets it up in .venv" if IS_CLONE else "install the program again"
+        return f"The Python package {package} is missing; {how}."
     if "PortAudio library not found" in text:
         return _explain_library("libportaudio.so.2")
     library = re.search(r"(\S+\.so[.\d]*): cannot open shared object file", text)
