@@ -6,6 +6,7 @@ from benchmarks.common import command
 
 PLACES = {
     "faults": "robustness.faults",
+    "axes": "robustness.axes",
     "nuisance": "robustness.nuisance",
     "real_files": "robustness.real_files",
     "eviction": "robustness.eviction",

@@ -34,7 +34,7 @@ from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.limits import COARSE_REST_MPS2, REST_MPS2
+from hapticplayer.model.limits import COARSE_REST_MPS2, REST_MPS2, UPRIGHT
 
 if TYPE_CHECKING:
     from hapticplayer.motion.repair.rotation import Doubt
@@ -189,7 +189,24 @@ def _turned(doubt: "Doubt", imu: ImuLog, axes: str) -> tuple[Message, list[Messa
         )
         for fit in named
     ]
+    if any(np.array_equal(fit.change, -np.eye(3)) for fit in named):
+        answers += _both_mirrored(imu, stored)
     return what, [*answers, _KEPT]
+
+
+def _both_mirrored(imu: ImuLog, stored: Floats) -> Iterator[Message]:
+    """Sensors that are mirrored alike rotate as if the gyroscope were reversed."""
+    up = mean_up(imu)
+    for axis in np.eye(3):
+        change = np.eye(3) - 2.0 * np.diag(axis)
+        if up is None or (change @ up)[2] >= UPRIGHT:
+            text = axes_text(stored.T @ change @ stored)
+            yield Message(
+                "accel-axes={accel} rate-axes={rate} if both sensors are {how}",
+                accel=text,
+                rate=text,
+                how=how_changed(change),
+            )
 
 
 class _Fit(NamedTuple):

@@ -46,7 +46,7 @@ from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import UPRIGHT
-from hapticplayer.motion.repair.rotation import SMALL_DIFFERENCE_RAD, coarse_windows
+from hapticplayer.motion.repair.rotation import windows_of
 
 _SCALES = (1.0, 180.0 / math.pi, math.pi / 180.0)
 # ratios of the unexplained rotation: right axes leave 10 to 24 times less than others
@@ -337,11 +337,11 @@ def _axes_answers(recording: Recording, shown: Sequence[Floats]) -> list[Message
     stored, up = axes_matrix(str(axes_given)), mean_up(imu)
     mountings = [axes_matrix(text) for text in all_mountings()]
     allowed = [one for one in mountings if _is_mounting(one, up)] or mountings
-    windows = coarse_windows(imu)
+    windows = windows_of(imu)
     found: list[tuple[int, float, Message]] = []
 
     def add(change: Floats, relative: Floats, *, is_both: bool) -> None:
-        evidence = windows.evidence(relative, SMALL_DIFFERENCE_RAD)
+        evidence = float(windows.evidence(relative))
         accel, rate = (
             axes_text(stored.T @ change @ stored @ _given(answers, key))
             for key in (_ACCEL, _RATE)

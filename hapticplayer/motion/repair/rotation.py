@@ -16,35 +16,33 @@ from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import are_gaps
 
-Flags = NDArray[np.bool_]
-
-# Gyros are compared in windows, by the velocity that neither gravity nor the errors of the
-# sensors explain.
-WINDOW_S = 8.0
-SHORTEST_WINDOW_S = 2.0
-MAX_WINDOWS = 24
-STEP_S = 0.02
+# Gyros are compared in windows, by the velocity that nothing explains: neither gravity, nor
+# the errors of the sensors, nor a vehicle that moves along its own axes, nor an arm.
+WINDOW_S, SHORTEST_WINDOW_S = 8.0, 2.0
+FEW_WINDOWS = 8
+STEP_S = 0.08
+# What spins turns too far in such a step.
+SPINNING_RMS_RADPS, SHORT_STEP_S = 6.0, 0.02
 RESIDUALS = 32
 VELOCITY_SIGMA_MPS = 1.0
-GYRO_BIAS_SIGMA_RADPS = 0.05
+GYRO_BIAS_SIGMA_RADPS, LARGEST_BIAS_STEP_RADPS = 0.05, 0.15
 GRAVITY_SIGMA_MPS2 = 0.03 * STANDARD_GRAVITY_MPS2
-# Velocities below this are vibration and noise, and no evidence.
-VELOCITY_FLOOR_MPS = 0.1
-# A window is used where two units rotate the specific force at least this far apart; other
-# axes, scales and clocks differ less than another unit.
-LEAST_DIFFERENCE_RAD, SMALL_DIFFERENCE_RAD = 0.1, 0.03
+VEHICLE_SIGMA_MPS, ARM_SIGMA_M = 8.0, 0.7
+# Velocities below this are vibration, hands and noise, and no evidence.
+VELOCITY_FLOOR_MPS = 0.3
+# The accelerometer bears witness to a gyro that turns gravity by so much.
+LEAST_TURN_RAD = 0.1
 # Signs that explain a rate so much better than another unit are what is wrong.
 SURELY_AXES = 1.0
-FEW_WINDOWS, COARSE_STEP_S = 8, 0.04
-# The least evidence against a gyro as it is, less that of one window. Right recordings
-# with optical truth and simulated rides, in parts of 20 s, show -0.95 for other axes, -0.9
-# for other clocks and -1.7 for other scales: what swings keeps the force in place, as if it
-# did not rotate, and what rotates fast averages the acceleration of a car.
-# Nothing doubles a rate but a range that was mistaken: -0.4.
-AXES_IN_DOUBT, CLOCK_IN_DOUBT, SCALE_IN_DOUBT, OF_ONE_WINDOW = -0.8, -0.8, -2.0, 1.0
-DOUBLED_IN_DOUBT = -0.8
-# Axes whose evidence is this near may be the ones: in parts of 30 s the right ones are
-# among them in 96 % of the reversed gyros that are asked about.
+# The least evidence against a gyro as it is, less that of one window. Right recordings with
+# optical truth and simulated rides, in parts of 10 s to the whole, show in 20 s -0.6 for
+# other axes and -0.9 for other clocks; for other scales -1.5, as what swings keeps the force
+# in place, and what rotates fast averages the acceleration of a car. None is 57 times as fast.
+AXES_IN_DOUBT, CLOCK_IN_DOUBT, OF_ONE_WINDOW = -0.6, -0.95, 0.8
+SCALE_IN_DOUBT, DOUBLED_IN_DOUBT, DEGREES_IN_DOUBT = -1.8, -0.9, -0.1
+# Where a turn of gravity is not shown at all, a higher rate needs less.
+UNSEEN_IN_DOUBT = -0.8
+# Axes whose evidence is this near may be the ones.
 NEARLY_AS_LIKELY = 0.55
 # Rates of an eighth or less rotate hardly at all, which explains more than wrong axes do
 # where a phone swings.
@@ -78,8 +76,7 @@ class RotationWindows:
         time_s: (N,) increasing.
         specific_force_mps2: (N, 3) finite.
         angular_rate_radps: (N, 3) finite.
-        number: of the parts at most.
-        step_s: over which the rate is taken for even.
+        number: of the parts at most; they overlap by half.
         valid: (N,) False where no sensor has read anything, or None.
     """
 
@@ -88,18 +85,19 @@ class RotationWindows:
         time_s: Floats,
         specific_force_mps2: Floats,
         angular_rate_radps: Floats,
-        number: int = MAX_WINDOWS,
-        step_s: float = STEP_S,
-        valid: Flags | None = None,
+        number: int = FEW_WINDOWS,
+        valid: NDArray[np.bool_] | None = None,
     ) -> None:
         interval_s = float(np.median(np.diff(time_s)))
         span_s = min(WINDOW_S, interval_s * (len(time_s) - 1))
+        is_spinning = np.square(angular_rate_radps).mean() > SPINNING_RMS_RADPS**2 / 3.0
+        step_s = SHORT_STEP_S if is_spinning else STEP_S
         step = max(1, round(step_s / interval_s))
         length = round(span_s / interval_s) // step * step
         self.is_empty = span_s < SHORTEST_WINDOW_S or length < 2 * step
         if self.is_empty:
             return
-        number = min(number, (len(time_s) - 1) // length)
+        number = min(number, max(1, 2 * (len(time_s) - 1) // length - 1))
         starts = np.linspace(1, len(time_s) - length, number).astype(int)
         self._rows = starts[:, None] + np.arange(length)
         # a gap counts as one interval
@@ -113,15 +111,12 @@ class RotationWindows:
         self._rate = angular_rate_radps
         self._step_s = held_s.reshape(number, -1, step).sum(axis=2)[..., None]
         self._impulse = self._coarse(specific_force_mps2[self._rows])
-        self._angle = self._coarse(angular_rate_radps[self._rows])
-        self._given = self._rotated(np.eye(3))
+        self._angle = self._coarse(self._rate[self._rows])
+        self._given = self._explained(self._angle)
+        self.number = number
 
-    def _rotated(self, change: Floats, delay_s: float = 0.0) -> tuple[Floats, Floats]:
-        """The impulse in a frame that does not rotate, and the velocity left, (B,)."""
-        angle = self._delayed(delay_s) if delay_s else self._angle
-        attitude = _attitude(angle @ change.T)
-        seen = quat.rotate(attitude, self._impulse)
-        return seen, _unexplained_mps2(seen, attitude, self._step_s)
+    def _explained(self, angle: Floats) -> "_Explained":
+        return _explained(self._impulse, angle, self._step_s)
 
     def _delayed(self, delay_s: float) -> Floats:
         """The angles (B, K, 3) of a gyro whose times are so late."""
@@ -134,33 +129,28 @@ class RotationWindows:
         windows, steps = self._step_s.shape[:2]
         return np.asarray(weighted.reshape(windows, steps, -1, 3).sum(axis=2))
 
-    def evidence(
-        self, change: Floats, least_difference_rad: float, delay_s: float = 0.0
-    ) -> float:
-        """The log likelihood ratio of the rate and of another one, the median.
-
-        It is 0 where the two are alike in all windows.
-        """
-        ratios = self.log_ratios(change, least_difference_rad, delay_s)
-        return float(np.median(ratios)) if len(ratios) else 0.0
-
-    def log_ratios(
-        self, change: Floats, least_difference_rad: float, delay_s: float = 0.0
-    ) -> Floats:
-        """The log likelihood ratios of the rate and of another one.
+    def evidence(self, changes: Floats) -> Floats:
+        """The log likelihood ratios of the rate as it is and of others, (...).
 
         Args:
-            change: (3, 3) that the rate is multiplied with.
-            least_difference_rad: windows are used where the two differ so much.
-            delay_s: by which the times of the rate are late.
+            changes: (..., 3, 3) that the rate is multiplied with.
         """
         if self.is_empty:
-            return np.zeros(0)
-        (seen, left), (other, other_left) = self._given, self._rotated(change, delay_s)
-        apart = np.linalg.norm(seen - other, axis=2).mean(axis=1)
-        size = np.linalg.norm(self._impulse, axis=2).mean(axis=1)
-        used = apart > least_difference_rad * size
-        return np.asarray(np.log(other_left[used] / left[used]))
+            return np.zeros(changes.shape[:-2])
+        turned = np.swapaxes(changes, -1, -2)[..., None, :, :]
+        return self._evidence(self._angle @ turned)
+
+    def evidence_of_delays(self, delays_s: Floats) -> Floats:
+        """The same of times of the rate that are late by delays (D,)."""
+        return self._evidence(np.array([self._delayed(one) for one in delays_s]))
+
+    def _evidence(self, angle: Floats) -> Floats:
+        given = self._given.left_mps2
+        return np.asarray(np.log(self._explained(angle).left_mps2 / given))
+
+    def least(self, evidence: float) -> float:
+        """What is asked for of so many windows."""
+        return evidence - OF_ONE_WINDOW / self.number
 
     def rms_radps(self) -> float:
         """The RMS of the rate."""
@@ -169,13 +159,21 @@ class RotationWindows:
 
     def most_evidence(self) -> float:
         """The most that there can be against the rate, if another one explained all."""
-        return float(np.log(VELOCITY_FLOOR_MPS**2 / self._given[1].max()))
+        return math.log(VELOCITY_FLOOR_MPS**2 / float(self._given.left_mps2))
+
+    def turn_rad(self) -> float:
+        """The largest angle by which the rate, without its bias, turns a direction."""
+        if self.is_empty:
+            return 0.0
+        still = self._explained(np.zeros_like(self._angle)).seen
+        along = np.einsum("bki,bki->bk", _unit(still), _unit(self._given.seen))
+        return float(np.arccos(along.clip(-1.0, 1.0)).max())
 
     def unseen_turns_rad(self) -> Floats:
         """The largest turn of gravity in each window which the rate does not show."""
         if self.is_empty or not self._is_whole.any():
             return np.zeros(1)
-        seen = self._given[0][self._is_whole]
+        seen = self._given.seen[self._is_whole]
         step_s = float(np.median(self._step_s))
         count = max(1, round(MEAN_S / step_s))
         whole = seen.shape[1] // count * count
@@ -209,24 +207,18 @@ class Doubt(NamedTuple):
     delay_s: float = 0.0
 
 
-def coarse_windows(imu: ImuLog, number: int = FEW_WINDOWS) -> RotationWindows:
-    """Windows of a log with long steps, in which large differences are seen."""
-    return RotationWindows(
-        imu.time_s,
-        imu.specific_force_mps2,
-        imu.angular_rate_radps,
-        number,
-        COARSE_STEP_S,
-        imu.valid,
-    )
+def windows_of(imu: ImuLog, number: int = FEW_WINDOWS) -> RotationWindows:
+    force, rate = imu.specific_force_mps2, imu.angular_rate_radps
+    return RotationWindows(imu.time_s, force, rate, number, imu.valid)
 
 
 def doubt_about(imu: ImuLog) -> Doubt | None:
     """What speaks clearly against the gyro of a log as it is, or None."""
-    windows = coarse_windows(imu)
-    if windows.is_empty or windows.most_evidence() > AXES_IN_DOUBT:
+    windows = windows_of(imu)
+    if windows.is_empty or windows.most_evidence() > DEGREES_IN_DOUBT:
         return None
-    doubts = [_of_scale(windows), _of_clock(windows), _of_axes(windows)]
+    scale = _of_scale(windows, is_unseen=unseen_turn_rad(imu) > 0.0)
+    doubts = [scale, _of_clock(windows), _of_axes(windows)]
     found = [one for one in doubts if one is not None]
     return min(found, key=_rank, default=None)
 
@@ -236,75 +228,67 @@ def _rank(doubt: Doubt) -> float:
     return doubt.evidence + HARDLY_LIKELIER * is_still
 
 
-def _are_enough(windows: RotationWindows, doubt: Doubt, least: float) -> bool:
-    change = np.eye(3) if doubt.change is None else doubt.change
-    change = change * (doubt.scale or 1.0)
-    used = len(windows.log_ratios(change, SMALL_DIFFERENCE_RAD, doubt.delay_s))
-    return bool(used) and doubt.evidence < least - OF_ONE_WINDOW / used
-
-
 def log_prior(rms_radps: float) -> float:
     """How likely a rate is without a look at gravity."""
     beyond = max(0.0, math.log(rms_radps / RUNNING_RMS_RADPS) / LOG_RMS_SIGMA)
     return -0.5 * beyond**2
 
 
-def _of_scale(windows: RotationWindows) -> Doubt | None:
+def _of_scale(windows: RotationWindows, *, is_unseen: bool) -> Doubt | None:
     rms_radps = windows.rms_radps()
     if not rms_radps:
         return None
 
-    def evidence(scale: float) -> float:
-        seen = windows.evidence(scale * np.eye(3), SMALL_DIFFERENCE_RAD)
-        return seen + log_prior(rms_radps) - log_prior(scale * rms_radps)
+    def evidence(scales: Floats) -> Floats:
+        seen = windows.evidence(scales[:, None, None] * np.eye(3))
+        priors = [log_prior(rms_radps * scale) for scale in scales.tolist()]
+        return np.asarray(seen + log_prior(rms_radps) - priors)
 
-    clear = []
-    for scale in USUAL_SCALES:
-        doubt = Doubt(evidence(scale), scale=scale)
-        least = DOUBLED_IN_DOUBT if scale == 2.0 else SCALE_IN_DOUBT
-        if _are_enough(windows, doubt, least):
-            clear.append(doubt)
-    if not clear:
+    scales = np.array(list(USUAL_SCALES))
+    usual_least = {
+        2.0: DOUBLED_IN_DOUBT,
+        180.0 / math.pi: DEGREES_IN_DOUBT,
+        **({2.0**power: UNSEEN_IN_DOUBT for power in range(1, 5)} if is_unseen else {}),
+    }
+    least = np.array(
+        [windows.least(usual_least.get(one, SCALE_IN_DOUBT)) for one in USUAL_SCALES]
+    )
+    found = evidence(scales)
+    found = np.where(found < least, found, 0.0)
+    if not found.any():
         return None
-    best = min(clear, key=lambda one: one.evidence)
-    assert best.scale
-    fine = min(best.scale * SCALES_BETWEEN, key=evidence)
+    best = int(found.argmin())
+    between = scales[best] * SCALES_BETWEEN
+    fine = float(between[evidence(between).argmin()])
     usual = [
         scale
         for scale, off in USUAL_SCALES.items()
         if abs(math.log(scale / fine)) < off
     ]
-    return best._replace(scale=usual[0] if usual else float(f"{fine:.2g}"))
+    return Doubt(found[best], scale=usual[0] if usual else float(f"{fine:.2g}"))
 
 
 def _of_clock(windows: RotationWindows) -> Doubt | None:
-    def evidence(delay_s: float) -> float:
-        return windows.evidence(np.eye(3), SMALL_DIFFERENCE_RAD, delay_s)
-
-    best_s = min((*DELAYS_S, *-DELAYS_S), key=evidence)
-    best_s = float(min(best_s + DELAYS_BETWEEN_S, key=evidence))
-    doubt = Doubt(evidence(best_s), delay_s=round(best_s, 2))
-    is_clear = _are_enough(windows, doubt, CLOCK_IN_DOUBT)
-    return doubt if is_clear else None
+    delays_s = np.concatenate([DELAYS_S, -DELAYS_S])
+    best_s = delays_s[windows.evidence_of_delays(delays_s).argmin()]
+    delays_s = best_s + DELAYS_BETWEEN_S
+    found = windows.evidence_of_delays(delays_s)
+    best = int(found.argmin())
+    doubt = Doubt(float(found[best]), delay_s=round(float(delays_s[best]), 2))
+    return doubt if doubt.evidence < windows.least(CLOCK_IN_DOUBT) else None
 
 
 def _of_axes(windows: RotationWindows) -> Doubt | None:
-    if _explains(windows):  # a tenth of the time
-        return None
     doubt = likeliest_axes(windows)
-    is_clear = _are_enough(windows, doubt, AXES_IN_DOUBT)
-    return doubt if is_clear else None
+    return doubt if doubt.evidence < windows.least(AXES_IN_DOUBT) else None
 
 
 def likeliest_axes(windows: RotationWindows) -> Doubt:
     """The axes with which the gyro rotates as gravity does in the accelerometer's axes."""
     signs = [np.array(one)[:, None] for one in itertools.product((1, -1), repeat=3)]
-    changes = [
-        sign * np.array(order)
-        for order in itertools.permutations(np.eye(3))
-        for sign in signs
-    ]
-    seen = [windows.evidence(one, SMALL_DIFFERENCE_RAD) for one in changes]
+    orders = map(np.array, itertools.permutations(np.eye(3)))
+    changes = [sign * order for order in orders for sign in signs]
+    seen = windows.evidence(np.array(changes)).tolist()
     best, *others = sorted(zip(seen, range(len(changes)), strict=True))
     gaps = [(value - best[0], changes[at]) for value, at in others if value < 0.0]
     near = tuple(one for one in gaps if one[0] < NEARLY_AS_LIKELY)
@@ -314,24 +298,17 @@ def likeliest_axes(windows: RotationWindows) -> Doubt:
 def of_signs(windows: RotationWindows) -> float:
     """The log likelihood ratio of the rate to that with the likeliest signs."""
     flips = [-np.eye(3), *(np.eye(3) - 2.0 * np.diag(axis) for axis in np.eye(3))]
-    return min(windows.evidence(flip, SMALL_DIFFERENCE_RAD) for flip in flips)
-
-
-def _explains(windows: RotationWindows) -> bool:
-    """Whether the rate explains more than no rotation would, and than any other sign."""
-    nothing = windows.evidence(np.zeros((3, 3)), SMALL_DIFFERENCE_RAD)
-    return nothing > SURELY_AXES and of_signs(windows) >= 0.0
+    return float(windows.evidence(np.array(flips)).min())
 
 
 def turns_gravity(imu: ImuLog) -> bool:
     """Whether the rate turns gravity, so that the accelerometer bears witness to it."""
-    windows = coarse_windows(imu)
-    return len(windows.log_ratios(np.zeros((3, 3)), SMALL_DIFFERENCE_RAD)) > 0
+    return windows_of(imu).turn_rad() > LEAST_TURN_RAD
 
 
 def unseen_turn_rad(imu: ImuLog) -> float:
     """The largest turn of gravity that the gyro of a log does not show, if it is sure."""
-    turns_rad = np.sort(coarse_windows(imu, WINDOWS_FOR_GRAVITY).unseen_turns_rad())
+    turns_rad = np.sort(windows_of(imu, WINDOWS_FOR_GRAVITY).unseen_turns_rad())
     turn_rad = float(turns_rad[-1 - len(turns_rad) // CHANCE_WINDOWS])
     return turn_rad if turn_rad > SURELY_UNSEEN_RAD else 0.0
 
@@ -346,56 +323,112 @@ def dead_axes(imu: ImuLog, doubt: Doubt | None) -> list[int]:
     dead = np.flatnonzero(~imu.angular_rate_radps.any(axis=0)).tolist()
     if not dead or (doubt is not None and doubt.change is not None):
         return dead
-    windows = coarse_windows(imu, WINDOWS_FOR_GRAVITY)
+    windows = windows_of(imu, WINDOWS_FOR_GRAVITY)
     return dead if windows.unseen_turns_rad().max() > TURNS_UNSEEN_RAD else []
 
 
-def _attitude(angle: Floats) -> Floats:
-    """Return the attitude (B, K, 4) in the middles of the steps, from the first on."""
-    turns = quat.from_rotation_vector(angle)
-    middles = quat.from_rotation_vector(-0.5 * angle)
-    return quat.multiply(quat.chained(turns), middles)
+class _Explained(NamedTuple):
+    """What a rotation leaves of the velocity.
+
+    Attributes:
+        left_mps2: (...) mean square of the velocity that nothing explains, and the floor.
+        seen: (..., B, K, 3) specific force times duration in a frame that does not rotate.
+    """
+
+    left_mps2: Floats
+    seen: Floats
 
 
-def _unexplained_mps2(impulse: Floats, attitude: Floats, step_s: Floats) -> Floats:
-    """Return the mean square of the velocity that windows leave unexplained, (B,).
+def _explained(impulse: Floats, angle: Floats, step_s: Floats) -> _Explained:
+    """Explain the velocity in windows by linear least squares.
 
-    Linear least squares: the velocity is one at the beginning, plus gravity of any
-    direction times the time, plus what a constant gyro bias adds; gravity's norm and
-    the bias have priors.
+    Each window has a velocity at its beginning, gravity of any direction, and a velocity
+    along its own axes, as a vehicle that turns. All share a gyro bias and an arm at which
+    the sensor turns. Gravity's norm and the others have priors.
 
     Args:
-        impulse: (B, K, 3) specific force times duration of the steps, in a frame that
-            does not rotate.
-        attitude: (B, K, 4) of the sensor in it.
+        impulse: (B, K, 3) specific force times duration of the steps.
+        angle: (..., B, K, 3) of the steps, by the gyro.
         step_s: (B, K, 1).
     """
-    axes = quat.rotate(attitude[:, :, None], np.eye(3))  # (B, K, 3, 3), one in a row
-    tilts = np.cumsum(axes * step_s[..., None], axis=1)
-    by_bias = np.cumsum(np.cross(tilts, impulse[:, :, None]), axis=1)
-    windows, steps = impulse.shape[:2]
+    bias = np.zeros((*angle.shape[:-3], 3))
+    design, velocity, seen = _equations(impulse, angle, step_s)
+    _, more = _solved(design, velocity, seen, bias)
+    size = np.linalg.norm(more, axis=-1, keepdims=True)
+    # a large one is not linear
+    bias = more * np.minimum(1.0, LARGEST_BIAS_STEP_RADPS / (size + 1e-9))
+    turns = angle - bias[..., None, None, :] * step_s
+    design, velocity, seen = _equations(impulse, turns, step_s)
+    left, _ = _solved(design, velocity, seen, bias)
+    return _Explained(left + VELOCITY_FLOOR_MPS**2, seen)
+
+
+def _equations(
+    impulse: Floats, turns: Floats, step_s: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """The design (..., B, 3 R, 15), velocity (..., B, 3 R, 1), impulse seen (..., B, K, 3)."""
+    steps, batch = impulse.shape[1], turns.shape[:-2]
     kept = np.linspace(0, steps - 1, min(RESIDUALS, steps)).astype(int)
-    velocity = np.cumsum(impulse, axis=1)[:, kept].reshape(windows, -1)
+    ends = quat.chained(quat.from_rotation_vector(turns))
+    attitude = quat.multiply(ends, quat.from_rotation_vector(-0.5 * turns))
+    seen = quat.rotate(attitude, impulse)
+    axes = quat.rotate(
+        attitude[..., None, :], np.eye(3)
+    )  # (..., K, 3, 3), one in a row
+    tilts = np.cumsum(axes * step_s[..., None], axis=-3)
+    by_bias = np.cumsum(np.cross(tilts, seen[..., None, :]), axis=-3)[..., kept, :, :]
+    rate = turns / step_s
+    rate = 0.5 * (rate[..., kept, :] + rate[..., np.minimum(kept + 1, steps - 1), :])
+    last = ends[..., kept, None, :]
+    ahead = quat.rotate(last, np.eye(3))
+    by_arm = quat.rotate(last, np.cross(rate[..., None, :], np.eye(3)))
     time_s = np.cumsum(step_s, axis=1)[:, kept, :, None]
-    unit = np.broadcast_to(np.eye(3), (windows, len(kept), 3, 3))
-    bias = by_bias[:, kept].swapaxes(2, 3)
-    design = np.concatenate([unit, time_s * unit, bias], axis=-1)
-    design = design.reshape(windows, -1, 9)
-    normal = np.einsum("bik,bil->bkl", design, design)
-    right = np.einsum("bik,bi->bk", design, velocity)
-    normal[:, range(6, 9), range(6, 9)] += (
-        VELOCITY_SIGMA_MPS / GYRO_BIAS_SIGMA_RADPS
-    ) ** 2
+    unit = np.broadcast_to(np.eye(3), ahead.shape)
+    columns = [unit, time_s * unit, ahead, by_bias, by_arm]
+    design = np.concatenate([one.swapaxes(-1, -2) for one in columns], axis=-1)
+    velocity = np.cumsum(seen, axis=-2)[..., kept, :]
+    rows = (*batch, 3 * len(kept))
+    return design.reshape(*rows, 15), velocity.reshape(*rows, 1), seen
+
+
+def _solved(
+    design: Floats, velocity: Floats, seen: Floats, bias: Floats
+) -> tuple[Floats, Floats]:
+    """The mean square that is left, (...), and by how much the bias is larger."""
+    own, shared, ahead = slice(9), slice(9, 15), np.arange(6, 9)
+    transposed = design.swapaxes(-1, -2)
+    normal, right = transposed @ design, transposed @ velocity
+    normal[..., ahead, ahead] += (VELOCITY_SIGMA_MPS / VEHICLE_SIGMA_MPS) ** 2
+    sigma = np.repeat([GYRO_BIAS_SIGMA_RADPS, ARM_SIGMA_M], 3)
+    prior = (VELOCITY_SIGMA_MPS / sigma) ** 2
+    known = np.concatenate([bias, np.zeros_like(bias)], axis=-1)[..., None]
     weight = (VELOCITY_SIGMA_MPS / GRAVITY_SIGMA_MPS2) ** 2
-    gravity, x = impulse.sum(axis=1), np.zeros((windows, 9))
+    gravity, x = seen.sum(axis=-2), np.zeros_like(right)
     for _ in range(3):  # the prior of the norm is linear along the last direction
-        down = gravity / np.maximum(np.linalg.norm(gravity, axis=1), 1e-9)[:, None]
+        down = _unit(gravity)[..., None]
         a, b = normal.copy(), right.copy()
-        a[:, 3:6, 3:6] += weight * down[:, :, None] * down[:, None, :]
-        b[:, 3:6] += weight * STANDARD_GRAVITY_MPS2 * down
-        x = np.linalg.solve(a, b[..., None])[..., 0]
-        gravity = x[:, 3:6]
-    misfit = velocity - np.einsum("bik,bk->bi", design, x)
-    by_norm = np.linalg.norm(gravity, axis=1) - STANDARD_GRAVITY_MPS2
-    cost = np.square(misfit).sum(axis=1) + weight * by_norm**2
-    return np.asarray(cost / len(kept) + VELOCITY_FLOOR_MPS**2)
+        a[..., 3:6, 3:6] += weight * down * down.swapaxes(-1, -2)
+        b[..., 3:6, :] += weight * STANDARD_GRAVITY_MPS2 * down
+        across = a[..., own, shared]
+        solved = np.linalg.solve(
+            a[..., own, own], np.concatenate([across, b[..., own, :]], axis=-1)
+        )
+        reduced = across.swapaxes(-1, -2) @ solved
+        both = (a[..., shared, shared] - reduced[..., :6]).sum(axis=-3)
+        alone = (b[..., shared, :] - reduced[..., 6:]).sum(axis=-3)
+        found = np.linalg.solve(both + np.diag(prior), alone - prior[:, None] * known)[
+            ..., None, :, :
+        ]
+        x[..., shared, :] = found
+        x[..., own, :] = solved[..., 6:] - solved[..., :6] @ found
+        gravity = x[..., 3:6, 0]
+    by_norm = np.linalg.norm(gravity, axis=-1) - STANDARD_GRAVITY_MPS2
+    by_speed = np.square(x[..., ahead, 0] / VEHICLE_SIGMA_MPS).sum(axis=-1)
+    misfit = np.square(velocity - design @ x).sum(axis=(-1, -2))
+    cost = (misfit + weight * by_norm**2 + by_speed).mean(axis=-1)
+    return np.asarray(cost * 3.0 / design.shape[-2]), x[..., 0, 9:12, 0]
+
+
+def _unit(vectors: Floats) -> Floats:
+    norm = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return np.asarray(vectors / np.maximum(norm, 1e-9))

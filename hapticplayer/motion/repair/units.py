@@ -17,7 +17,6 @@ from hapticplayer.model.limits import (
     SURELY_G,
 )
 from hapticplayer.motion.repair.rotation import (
-    LEAST_DIFFERENCE_RAD,
     SURELY_AXES,
     RotationWindows,
     log_prior,
@@ -142,7 +141,7 @@ def check_rate_unit(
     is_degrees = rms > SLOW_RMS_RADPS
     factor = np.pi / 180.0 if is_degrees else 180.0 / np.pi
     windows = RotationWindows(time_s, specific_force_mps2, angular_rate_radps)
-    evidence = windows.evidence(factor * np.eye(3), LEAST_DIFFERENCE_RAD)
+    evidence = float(windows.evidence(factor * np.eye(3)))
     log_odds = LABEL_LOG_ODDS + evidence + log_prior(rms) - log_prior(factor * rms)
     is_slight = log_odds > REFUSED_LOG_ODDS or evidence > -MIN_EVIDENCE
     is_swing = is_degrees and is_slight and log_odds > evidence

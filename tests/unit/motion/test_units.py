@@ -139,7 +139,7 @@ def test_swinging_arms_pass_in_rad_and_not_in_degrees(seed, tilted):
         check_rate_unit(t, force, DEGREES * rate)
 
 
-@pytest.mark.parametrize("bias_radps", [0.003, 0.015])
+@pytest.mark.parametrize("bias_radps", [0.008, 0.015])
 def test_a_rest_in_degrees_is_noted_and_not_refused(rng, bias_radps):
     """What rotates so steadily may be a bias at rest, or a long turn."""
     force, rate = still(rng, 0.001, (bias_radps, 0.0, 0.0))
