@@ -84,7 +84,7 @@ class ChoiceForm(QWidget):
         )
         look.clicked.connect(self.look_wanted)
         choose = text_button(
-            self.tr("Sa&ve in\u2026"), self.tr("The folder that takes are saved in")
+            self.tr("Save i&n\u2026"), self.tr("The folder that takes are saved in")
         )
         choose.clicked.connect(self._choose_folder)
         camera = captioned(self.tr("&Camera"), self.camera)

@@ -94,7 +94,7 @@ class RecordPage(JobDialog):
         self.stack = QStackedWidget()
         for page in (recording, self.take):
             self.stack.addWidget(page)
-        self.progress = JobRow(text_button(self.tr("&Stop"), self.tr("Cancel")))
+        self.progress = JobRow(text_button(self.tr("Stop"), self.tr("Cancel")))
         self.progress.stop.clicked.connect(self.jobs.cancel)
         below = (self.question, self.problem, self._button_row())
         column_of((self.stack, 1), *below, spacing=8, margins=(16, 10, 16, 10), of=self)

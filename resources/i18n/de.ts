@@ -64,6 +64,10 @@
         <translation>&amp;Protokoll abspielen…</translation>
     </message>
     <message>
+        <source>Re&amp;cord…</source>
+        <translation>&amp;Aufnehmen…</translation>
+    </message>
+    <message>
         <source>&amp;Playlist…</source>
         <translation>&amp;Wiedergabeliste…</translation>
     </message>
@@ -549,6 +553,85 @@
     <message>
         <source>What is installed, what is missing, and how to get it.</source>
         <translation>Was installiert ist, was fehlt und woher man es bekommt.</translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceForm</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Microphone</source>
+        <translation>Mikrofon</translation>
+    </message>
+    <message>
+        <source>Motion sensor</source>
+        <translation>Bewegungssensor</translation>
+    </message>
+    <message>
+        <source>Place of the motion sensor</source>
+        <translation>Anschluss des Bewegungssensors</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Neu suchen</translation>
+    </message>
+    <message>
+        <source>Look for cameras and microphones again</source>
+        <translation>Kameras und Mikrofone noch einmal suchen</translation>
+    </message>
+    <message>
+        <source>The folder that takes are saved in</source>
+        <translation>Der Ordner, in dem Aufnahmen gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Save i&amp;n…</source>
+        <translation>Spei&amp;chern in…</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>M&amp;icrophone</source>
+        <translation>M&amp;ikrofon</translation>
+    </message>
+    <message>
+        <source>Motion &amp;sensor</source>
+        <translation>Bewegungs&amp;sensor</translation>
+    </message>
+    <message>
+        <source>at &amp;place</source>
+        <translation>Anschl&amp;uss</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>No camera was found: plug one in, and press Look again.</source>
+        <translation>Keine Kamera gefunden: Schließen Sie eine an, und drücken Sie „Neu suchen“.</translation>
+    </message>
+    <message>
+        <source>No microphone was found.</source>
+        <translation>Kein Mikrofon gefunden.</translation>
+    </message>
+    <message>
+        <source>Without a motion sensor, motion can be suggested from the frames.</source>
+        <translation>Ohne Bewegungssensor kann Bewegung aus den Bildern vorgeschlagen werden.</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>Kameras werden gesucht…</translation>
+    </message>
+    <message>
+        <source>Options may follow a comma: {options}</source>
+        <translation>Nach einem Komma sind Optionen möglich: {options}</translation>
+    </message>
+    <message>
+        <source>Choose where takes are saved</source>
+        <translation>Wo Aufnahmen gespeichert werden</translation>
     </message>
 </context>
 <context>
@@ -1331,10 +1414,6 @@
         <translation>Öffnen Sie eine Sequenz oder ein Video, oder ziehen Sie eines hierher. Ein Video allein spielt ohne Kraft; importieren Sie es mit seinen Bewegungsdaten, um es zu spüren.</translation>
     </message>
     <message>
-        <source>A simulated ride; created on first use</source>
-        <translation>Eine simulierte Fahrt; wird beim ersten Mal erzeugt</translation>
-    </message>
-    <message>
         <source>Open a sequence folder</source>
         <translation>Sequenzordner öffnen</translation>
     </message>
@@ -1347,6 +1426,14 @@
         <translation>Eine Sequenz aus einem Video und seinen Bewegungsdaten erzeugen</translation>
     </message>
     <message>
+        <source>Record…</source>
+        <translation>Aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Record with a camera and a motion sensor</source>
+        <translation>Mit einer Kamera und einem Bewegungssensor aufnehmen</translation>
+    </message>
+    <message>
         <source>Choose a device…</source>
         <translation>Gerät wählen…</translation>
     </message>
@@ -1357,6 +1444,10 @@
     <message>
         <source>Play the demo</source>
         <translation>Demo abspielen</translation>
+    </message>
+    <message>
+        <source>A simulated ride by bicycle</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Open a sequence…</source>
@@ -1587,6 +1678,17 @@
     <message>
         <source>Window hangs, 1.3 s</source>
         <translation>Fenster hängt 1,3 s</translation>
+    </message>
+</context>
+<context>
+    <name>FeelNow</name>
+    <message>
+        <source>&amp;Feel it now</source>
+        <translation>Jetzt s&amp;püren</translation>
+    </message>
+    <message>
+        <source>Feel what the sensor measures at this moment, on the haptic device</source>
+        <translation>Am haptischen Gerät spüren, was der Sensor gerade misst</translation>
     </message>
 </context>
 <context>
@@ -2916,6 +3018,86 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>LivePane</name>
+    <message>
+        <source>Microphone</source>
+        <translation>Mikrofon</translation>
+    </message>
+    <message>
+        <source>Acceleration of the last seconds</source>
+        <translation>Beschleunigung der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>Angular rate of the last seconds</source>
+        <translation>Drehrate der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>Acceleration with gravity, m/s²</source>
+        <translation>Beschleunigung mit Schwerkraft, m/s²</translation>
+    </message>
+    <message>
+        <source>Angular rate, rad/s</source>
+        <translation>Drehrate, rad/s</translation>
+    </message>
+    <message>
+        <source>No camera</source>
+        <translation>Keine Kamera</translation>
+    </message>
+    <message>
+        <source>camera {rate} fps, dropped {lost}</source>
+        <translation>Kamera {rate} Bilder/s, verworfen {lost}</translation>
+    </message>
+    <message>
+        <source>sensor {rate} Hz, lost {lost}</source>
+        <translation>Sensor {rate} Hz, verloren {lost}</translation>
+    </message>
+    <message>
+        <source>gaps {count}</source>
+        <translation>Lücken {count}</translation>
+    </message>
+    <message>
+        <source>marks {count}</source>
+        <translation>Marken {count}</translation>
+    </message>
+    <message>
+        <source>{free} GB free</source>
+        <translation>{free} GB frei</translation>
+    </message>
+</context>
+<context>
+    <name>LivePicture</name>
+    <message>
+        <source>Live picture</source>
+        <translation>Livebild</translation>
+    </message>
+</context>
+<context>
+    <name>LivePlot</name>
+    <message>
+        <source>Wheel or + and −: zoom. Double-click or Enter: reset</source>
+        <translation>Rad oder + und −: zoomen. Doppelklick oder Eingabe: zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>LogQuestionBox</name>
+    <message>
+        <source>&amp;Answer</source>
+        <translation>&amp;Antworten</translation>
+    </message>
+    <message>
+        <source>Read the log with this answer</source>
+        <translation>Das Protokoll mit dieser Antwort lesen</translation>
+    </message>
+    <message>
+        <source>Answer in a &amp;form…</source>
+        <translation>In einem F&amp;ormular antworten…</translation>
+    </message>
+    <message>
+        <source>Units, axes, signs and more, with a check against gravity</source>
+        <translation>Einheiten, Achsen, Vorzeichen und mehr, mit einer Prüfung an der Schwerkraft</translation>
+    </message>
+</context>
+<context>
     <name>MarkerList</name>
     <message>
         <source>Markers</source>
@@ -3867,6 +4049,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Seite</translation>
     </message>
     <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score: {text}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>(no wording yet)</source>
         <translation>(noch kein Wortlaut)</translation>
     </message>
@@ -3881,6 +4075,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>All clips may be played again there</source>
         <translation>Alle Clips dürfen dort noch einmal abgespielt werden</translation>
+    </message>
+    <message>
+        <source>The questions are shown one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wording</source>
@@ -3975,8 +4181,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Antwort hinzufügen</translation>
     </message>
     <message>
+        <source>Number that it counts as, if any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Remove this answer</source>
         <translation>Diese Antwort entfernen</translation>
+    </message>
+    <message>
+        <source>another scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another score</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>another question</source>
@@ -4376,6 +4594,109 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>RecordPage</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Mark</source>
+        <translation>&amp;Markieren</translation>
+    </message>
+    <message>
+        <source>Mark this moment in the recording</source>
+        <translation>Diesen Moment in der Aufnahme markieren</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view</source>
+        <translation>&amp;Vorschau</translation>
+    </message>
+    <message>
+        <source>Show picture, sound and motion for a minute; nothing is kept</source>
+        <translation>Bild, Ton und Bewegung eine Minute lang zeigen; nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Start a recording</source>
+        <translation>Eine Aufnahme beginnen</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Bee&amp;nden</translation>
+    </message>
+    <message>
+        <source>Stop, and show the take</source>
+        <translation>Beenden und die Aufnahme zeigen</translation>
+    </message>
+    <message>
+        <source>Record &amp;again</source>
+        <translation>Noch ei&amp;nmal</translation>
+    </message>
+    <message>
+        <source>Keep this take, and record another one</source>
+        <translation>Diese Aufnahme behalten und noch eine machen</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Make a sequence of this take</source>
+        <translation>Aus dieser Aufnahme eine Sequenz machen</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Closing</source>
+        <translation>Wird geschlossen</translation>
+    </message>
+    <message>
+        <source>Reading the take</source>
+        <translation>Die Aufnahme wird gelesen</translation>
+    </message>
+    <message>
+        <source>&amp;Allow</source>
+        <translation>&amp;Erlauben</translation>
+    </message>
+    <message>
+        <source>&amp;Do not allow</source>
+        <translation>&amp;Nicht erlauben</translation>
+    </message>
+    <message>
+        <source>End pre&amp;view</source>
+        <translation>&amp;Vorschau beenden</translation>
+    </message>
+    <message>
+        <source>A recording is running. Stop it? What was recorded is kept.</source>
+        <translation>Eine Aufnahme läuft. Beenden? Was aufgenommen wurde, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Weiter aufnehmen</translation>
+    </message>
+</context>
+<context>
     <name>RecoveryBar</name>
     <message>
         <source>Discard</source>
@@ -4624,10 +4945,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die realistische und die zufällige Spur neu berechnen</translation>
     </message>
     <message>
-        <source>The demo stays as it is</source>
-        <translation>Die Demo bleibt, wie sie ist</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lesen</translation>
     </message>
@@ -4786,6 +5103,61 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>ScoreFields</name>
+    <message>
+        <source>Meaning (English)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names of questions of the page, or of scores before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those that count from the other end of their range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factors of 1, x, x² …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0, 2.5 multiplies the sum or mean by 2.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least answers to a mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All are needed where this is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation type="unfinished">Name in den Daten</translation>
+    </message>
+</context>
+<context>
     <name>SequenceList</name>
     <message>
         <source>Add from the library…</source>
@@ -4853,10 +5225,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Making the force</source>
         <translation>Kraft wird berechnet</translation>
-    </message>
-    <message>
-        <source>Preparing the demo</source>
-        <translation>Die Demo wird vorbereitet</translation>
     </message>
     <message>
         <source>Another task is running; wait for it or cancel it</source>
@@ -6180,6 +6548,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Teil der Summe QoE</translation>
     </message>
     <message>
+        <source>Scores</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions of a score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Title</source>
         <translation>Titel</translation>
     </message>
@@ -6481,6 +6861,64 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>TakeStrip</name>
+    <message>
+        <source>The take over time</source>
+        <translation>Die Aufnahme über der Zeit</translation>
+    </message>
+    <message>
+        <source>Click: seek. Left and Right: 1 s, with Shift 5 s. Wheel: zoom</source>
+        <translation>Klick: springen. Links und rechts: 1 s, mit Umschalt 5 s. Rad: zoomen</translation>
+    </message>
+</context>
+<context>
+    <name>TakeView</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the take with its sound</source>
+        <translation>Die Aufnahme mit ihrem Ton abspielen</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>acceleration without gravity, p</source>
+        <translation>Beschleunigung ohne Schwerkraft, p</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>dropped frames: {count}</source>
+        <translation>verworfene Bilder: {count}</translation>
+    </message>
+    <message>
+        <source>lost samples: {count}</source>
+        <translation>verlorene Messwerte: {count}</translation>
+    </message>
+    <message>
+        <source>residual of the sensor&apos;s clock: {ms} ms</source>
+        <translation>Rest der Uhr des Sensors: {ms} ms</translation>
+    </message>
+    <message>
+        <source>No motion was recorded; the import can suggest some from the frames.</source>
+        <translation>Es wurde keine Bewegung aufgezeichnet; der Import kann eine aus den Bildern vorschlagen.</translation>
+    </message>
+    <message>
+        <source>No three taps were found: the clocks decide.</source>
+        <translation>Kein dreimaliges Klopfen gefunden: Es gelten die Uhren.</translation>
+    </message>
+    <message>
+        <source>Taps found: {count}. By them the clocks are {ms} ms apart, which the import corrects.</source>
+        <translation>Klopfzeichen gefunden: {count}. Nach ihnen weichen die Uhren um {ms} ms ab; der Import berichtigt das.</translation>
+    </message>
+</context>
+<context>
     <name>TextList</name>
     <message>
         <source>Texts</source>
@@ -6762,25 +7200,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Choose a folder</source>
         <translation>Ordner wählen</translation>
-    </message>
-</context>
-<context>
-    <name>_Question</name>
-    <message>
-        <source>&amp;Answer</source>
-        <translation>&amp;Antworten</translation>
-    </message>
-    <message>
-        <source>Read the log with this answer</source>
-        <translation>Das Protokoll mit dieser Antwort lesen</translation>
-    </message>
-    <message>
-        <source>Answer in a &amp;form…</source>
-        <translation>In einem F&amp;ormular antworten…</translation>
-    </message>
-    <message>
-        <source>Units, axes, signs and more, with a check against gravity</source>
-        <translation>Einheiten, Achsen, Vorzeichen und mehr, mit einer Prüfung an der Schwerkraft</translation>
     </message>
 </context>
 <context>
@@ -8022,10 +8441,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>importieren Sie es noch einmal</translation>
     </message>
     <message>
-        <source>install hapticplayer[lsl], or {otherwise}</source>
-        <translation>installieren Sie hapticplayer[lsl], oder: {otherwise}</translation>
-    </message>
-    <message>
         <source>is a device, not a file</source>
         <translation>ist ein Gerät, keine Datei</translation>
     </message>
@@ -8682,10 +9097,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Stoß von {peak_mps2:.1f} m/s², auch zu hören</translation>
     </message>
     <message>
-        <source>Install hapticplayer with its extra websockets.</source>
-        <translation>Installieren Sie hapticplayer mit der Option websockets.</translation>
-    </message>
-    <message>
         <source>Install the Python package sounddevice.</source>
         <translation>Installieren Sie das Python-Paket sounddevice.</translation>
     </message>
@@ -9034,10 +9445,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Audio mit drei Kanälen, für Shaker</translation>
     </message>
     <message>
-        <source>cameras</source>
-        <translation>Kameras</translation>
-    </message>
-    <message>
         <source>cannot be copied into {kind} without changing its video</source>
         <translation>kann nicht nach {kind} kopiert werden, ohne dass sich das Video ändert</translation>
     </message>
@@ -9048,10 +9455,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>cannot be written ({reason}); it is as it was</source>
         <translation>kann nicht geschrieben werden ({reason}); es ist unverändert</translation>
-    </message>
-    <message>
-        <source>cannot listen on port {port} ({reason})</source>
-        <translation>Port {port} kann nicht geöffnet werden ({reason})</translation>
     </message>
     <message>
         <source>channels for {count} parts of the body act on one hand</source>
@@ -9076,10 +9479,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>choose a lower sample rate, or another format</source>
         <translation>wählen Sie eine niedrigere Abtastrate oder ein anderes Format</translation>
-    </message>
-    <message>
-        <source>choose an address of this machine and a free port</source>
-        <translation>wählen Sie eine Adresse dieses Rechners und einen freien Port</translation>
     </message>
     <message>
         <source>choose another clip</source>
@@ -9144,10 +9543,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>copy it from the other machine again; to use what is intact, move its folder into sessions</source>
         <translation>kopieren Sie es noch einmal vom anderen Rechner; um zu nutzen, was heil ist, verschieben Sie seinen Ordner nach sessions</translation>
-    </message>
-    <message>
-        <source>copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d</source>
-        <translation>kopieren Sie packaging/udev/70-novint-falcon.rules nach /etc/udev/rules.d</translation>
     </message>
     <message>
         <source>copying the sequence</source>
@@ -9482,14 +9877,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>in der Sequenz {key!r} sind {one!r} und {other!r} dieselbe Kraft</translation>
     </message>
     <message>
-        <source>install hapticplayer[vision], or convert it to H.264</source>
-        <translation>installieren Sie hapticplayer[vision], oder wandeln Sie es nach H.264 um</translation>
-    </message>
-    <message>
-        <source>install the udev rule of packaging/ and plug it in again</source>
-        <translation>installieren Sie die udev-Regel aus packaging/, und stecken Sie ihn wieder an</translation>
-    </message>
-    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>ist eine FIT-Datei einer Sportuhr oder eines Fahrradcomputers</translation>
     </message>
@@ -9782,10 +10169,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>normal: Dieses System erlaubt nichts anderes</translation>
     </message>
     <message>
-        <source>not looked at: the list of them is not here ({file})</source>
-        <translation>nicht geprüft: Die Liste dazu fehlt hier ({file})</translation>
-    </message>
-    <message>
         <source>not read: {what} ({count})</source>
         <translation>nicht gelesen: {what} ({count})</translation>
     </message>
@@ -10002,10 +10385,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>lassen Sie erst eine Person teilnehmen</translation>
     </message>
     <message>
-        <source>run the doctor of the source tree for this part</source>
-        <translation>rufen Sie für diesen Teil den doctor aus dem Quellbaum auf</translation>
-    </message>
-    <message>
         <source>samples have the shape {shape}, expected N x 3</source>
         <translation>die Abtastwerte haben die Form {shape}, erwartet N x 3</translation>
     </message>
@@ -10150,10 +10529,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Synchronisieren nach den Bildern ist grob, und aus den Bildern wird keine Bewegung vorgeschlagen</translation>
     </message>
     <message>
-        <source>system packages</source>
-        <translation>Systempakete</translation>
-    </message>
-    <message>
         <source>take another sequence, or add &apos;estimated&apos; to feedbacks</source>
         <translation>nehmen Sie eine andere Sequenz, oder fügen Sie &apos;estimated&apos; zu feedbacks hinzu</translation>
     </message>
@@ -10232,10 +10607,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the Inverse3 is not open; choose the device again</source>
         <translation>das Inverse3 ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
-    </message>
-    <message>
-        <source>the Python package websockets is missing; install hapticplayer with its extra websockets</source>
-        <translation>das Python-Paket websockets fehlt; installieren Sie hapticplayer mit dem Zusatz websockets</translation>
     </message>
     <message>
         <source>the angular rate is zero throughout, so no rotation is assumed</source>
@@ -10596,14 +10967,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>in swapped columns</source>
         <translation>in vertauschten Spalten</translation>
-    </message>
-    <message>
-        <source>install hapticplayer[cameras] ({library}), which reads it ({how})</source>
-        <translation>installieren Sie hapticplayer[cameras] ({library}), das es liest ({how})</translation>
-    </message>
-    <message>
-        <source>install hapticplayer[vision], which synchronises without taps, finds the mounting of a sensor and suggests motion for a plain video</source>
-        <translation>installieren Sie hapticplayer[vision]: es synchronisiert ohne Klopfen, findet, wie ein Sensor befestigt war, und schlägt Bewegung für ein bloßes Video vor</translation>
     </message>
     <message>
         <source>invalid force track</source>
@@ -11830,10 +12193,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie sonst den Versatz ein</translation>
     </message>
     <message>
-        <source>pairs: Wilcoxon with Holm, exact to {most} participants, then normal approximation; friedman: chi-square approximation</source>
-        <translation>pairs: Wilcoxon mit Holm, exakt bis {most} Personen, darüber Normalnäherung; friedman: Chi-Quadrat-Näherung</translation>
-    </message>
-    <message>
         <source>planned force, velocity, buttons and timing of each tick</source>
         <translation>geplante Kraft, Geschwindigkeit, Tasten und Zeiten jedes Takts</translation>
     </message>
@@ -12350,10 +12709,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>diese Installation kann die Bilder eines Clips nicht auswerten</translation>
     </message>
     <message>
-        <source>this installation has no demo; open a sequence or a video instead</source>
-        <translation>diese Installation hat keine Demo; öffnen Sie stattdessen eine Sequenz oder ein Video</translation>
-    </message>
-    <message>
         <source>this installation has no streams of the kind {name!r}; leave them out</source>
         <translation>diese Installation hat keine Datenströme der Art {name!r}; lassen Sie sie weg</translation>
     </message>
@@ -12394,8 +12749,428 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Bilder sind unsicher (Sicherheit {confidence:.2f}): Das Gyroskop erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s ({doubt})</translation>
     </message>
     <message>
+        <source>A stream of LSL, by its name or type</source>
+        <translation>Ein LSL-Stream, nach Name oder Art</translation>
+    </message>
+    <message>
+        <source>Camera and IMU have the recorder&apos;s clock, known to about {sigma_ms:.0f} ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Haptic experience</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In Sensor Logger: Settings, Data Streaming, HTTP Push, Push URL {url}; then record Accelerometer, Gravity and Gyroscope.</source>
+        <translation>In Sensor Logger: Settings, Data Streaming, HTTP Push, Push URL {url}; dann Accelerometer, Gravity und Gyroscope aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Install hapticplayer[websockets]: {how}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines of CSV on standard input (`-`) or a port</source>
+        <translation>CSV-Zeilen von der Standardeingabe (`-`) oder einem Port</translation>
+    </message>
+    <message>
+        <source>Motion sickness and vection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pair of opposites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Razor-AHRS, binary</source>
+        <translation>Razor-AHRS, binär</translation>
+    </message>
+    <message>
+        <source>Razor-AHRS, text</source>
+        <translation>Razor-AHRS, Text</translation>
+    </message>
+    <message>
+        <source>Recorded here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensor Logger on a phone, which posts to this machine</source>
+        <translation>Sensor Logger auf einem Telefon, sendet hierher</translation>
+    </message>
+    <message>
+        <source>SensorServer on an Android phone, by WebSocket</source>
+        <translation>SensorServer auf Android, per WebSocket</translation>
+    </message>
+    <message>
+        <source>SparkFun Ultimate IMU, text of its stock firmware</source>
+        <translation>SparkFun Ultimate IMU, Text der Werksfirmware</translation>
+    </message>
+    <message>
+        <source>Susceptibility (MSSQ-short) and symptoms (SSQ) before, sickness (FMS) and vection after each clip, symptoms again at the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Haptic Experience Inventory (HXI) after each clip; its wording is to be entered from your copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measurement in phyphox is started from here.</source>
+        <translation>Die Messung in phyphox wird von hier aus gestartet.</translation>
+    </message>
+    <message>
+        <source>The recorder&apos;s clock was {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off, measured from the {witness}; this is corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WitMotion WT901 and others with its protocol</source>
+        <translation>WitMotion WT901 und andere mit dem Protokoll</translation>
+    </message>
+    <message>
+        <source>a lever arm needs a whole recording; feel the sensor where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accel-sign=+ if it reads +1 g on the axis that is up, at rest</source>
+        <translation>accel-sign=+, wenn er auf der Achse, die oben ist, in Ruhe +1 g anzeigt</translation>
+    </message>
+    <message>
+        <source>accel-sign=- if it reads -1 g there</source>
+        <translation>accel-sign=-, wenn er dort -1 g anzeigt</translation>
+    </message>
+    <message>
+        <source>add yourself to the group dialout and log in again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ask it once, or leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>begin with the line {names}, or name the columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the recorder&apos;s clock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check its cable and its name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check its cable and record again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the cable and the name, see /dev/serial/by-id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the sensor&apos;s cable, power and range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another camera or microphone, or unload and load the driver (uvcvideo with clock=CLOCK_MONOTONIC)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another format of the camera (NAME,input_format=mjpeg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose its acceleration with gravity (the raw accelerometer)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose its acceleration with gravity, or another unit (accel-unit)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose the folder of a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connect it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy {file} to /etc/udev/rules.d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy {file} to /etc/udev/rules.d and plug it in again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>delivers nothing more (it has ended)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>devices behind Intiface or Haply&apos;s service are not reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not answer ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not declare {what}</source>
+        <translation>sagt nichts über {what}</translation>
+    </message>
+    <message>
+        <source>enter the wording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finish it ({line})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a usual rate, such as baud=115200</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give its rate, such as baud=115200, and check its output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the one that the app shows, such as 192.168.1.20:8080</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no video, only motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds the force of a video, and no video of its name lies beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[cameras], which reads it ({how})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[lsl] ({how}), or {otherwise}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[lsl], or choose another source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision] ({how}), or convert it to H.264</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision], which synchronises without taps, finds the mounting of a sensor and suggests motion for a plain video ({how})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[{name}] ({how})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is being recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not an address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is only used with a mean of at least as many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is to be worded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its experiment does not record accelerometer and gyroscope together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its time stamps are {apart_s:.1f} s from this machine&apos;s clock, so nothing could be synchronised with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its {count} channels ({labels}) do not say which are the accelerometer&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lay the sensor down and let it rest for {rest_s:.1f} s</source>
+        <translation>legen Sie den Sensor hin, und lassen Sie ihn {rest_s:.1f} s ruhen</translation>
+    </message>
+    <message>
+        <source>look at the network and its firewall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make one in phyphox: +, Add simple experiment, Accelerometer and Gyroscope, sensor rate 0 (fastest), then Allow remote access</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the sensor: the grip follows</source>
+        <translation>bewegen Sie den Sensor: Der Griff folgt</translation>
+    </message>
+    <message>
+        <source>name questions of the page, or scores before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name them in their order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reports of studies, no figures in files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no trial is streamed to LabRecorder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of its first {count} frames can be decoded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing comes from the sensor: check its cable, power, range</source>
+        <translation>vom Sensor kommt nichts: Prüfen Sie Kabel, Strom und Reichweite</translation>
+    </message>
+    <message>
+        <source>nothing is recorded; give a camera, an IMU, or both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only {free_mb} MB of the disk are free</source>
+        <translation>nur noch {free_mb} MB der Platte sind frei</translation>
+    </message>
+    <message>
+        <source>open an experiment in phyphox, and Allow remote access in its menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pairs: Wilcoxon with Holm; friedman: Friedman&apos;s test; both exact to {most} participants, then approximations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phyphox on a phone, which is asked</source>
+        <translation>phyphox auf einem Telefon, wird abgefragt</translation>
+    </message>
+    <message>
+        <source>put the video there, or give a sequence the force (import-force)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>lesen</translation>
+    </message>
+    <message>
+        <source>record with a camera, or import a video with this log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation in the frames</source>
+        <translation type="unfinished">Drehung in den Bildern</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sends acceleration from which gravity was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sound is recorded with a camera; give one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start the program that sends it, in the same network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop the recording first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the Python package websockets is missing; install hapticplayer[websockets] ({how})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the accelerometer reads {norm_mps2:.3g} m/s2 at rest, gravity is 9.8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frames place the motion {off_s:+.2f} s from where the recorder&apos;s clock does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor is heard less than {slow_hz:.0f} times a second and felt in jerks: set it to 100, or choose one that sends each sample at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sign of its accelerometer</source>
+        <translation>das Vorzeichen seines Beschleunigungssensors</translation>
+    </message>
+    <message>
         <source>the sound card {card!r} no longer accepts sound ({reason}); connect it and choose the device again</source>
         <translation>die Soundkarte {card!r} nimmt keinen Ton mehr an ({reason}); schließen Sie sie an, und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>the source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the source sends no angular rate, without which gravity cannot be told from motion; choose one with a gyroscope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stream does not answer ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stream&apos;s axes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the taps are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
@@ -12404,6 +13179,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the times of its packets and the camera&apos;s own place the motion {apart_s:.2f} s apart: the clip was cut</source>
         <translation>die Zeiten der Pakete und die der Kamera legen die Bewegung {apart_s:.2f} s auseinander: Der Clip wurde geschnitten</translation>
+    </message>
+    <message>
+        <source>the unit of its accelerometer</source>
+        <translation>die Einheit seines Beschleunigungssensors</translation>
+    </message>
+    <message>
+        <source>the unit of its gyroscope</source>
+        <translation>die Einheit seines Gyroskops</translation>
     </message>
     <message>
         <source>the unit of its times is known, or it has no times</source>
@@ -12416,6 +13199,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the {sensor} repeats its readings as a stuck sensor does, {share:.1%} of the time ({spans} from the start of the log); they are not used</source>
         <translation>{sensor}: Werte wiederholen sich wie bei einem Sensor, der festhängt, {share:.1%} der Zeit ({spans} ab dem Beginn des Protokolls); sie werden nicht verwendet</translation>
+    </message>
+    <message>
+        <source>there is no such stream</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no trial {step!r}</source>
@@ -12470,6 +13257,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>abgezogen</translation>
     </message>
     <message>
+        <source>update the app, or choose another source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>use &apos;repeats&apos;</source>
         <translation>verwenden Sie &apos;repeats&apos;</translation>
     </message>
@@ -12506,6 +13297,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>warten Sie, bis es fertig ist, oder schließen Sie es, und versuchen Sie es dann noch einmal</translation>
     </message>
     <message>
+        <source>wake the phone, look at its app and at the network, and try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>was changed by another program meanwhile</source>
         <translation>wurde inzwischen von einem anderen Programm geändert</translation>
     </message>
@@ -12522,8 +13317,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wurde inzwischen von einem anderen Prozess angelegt</translation>
     </message>
     <message>
+        <source>was not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>was shared without its motion, so its force cannot be rendered again</source>
         <translation>wurde ohne ihre Bewegung geteilt, daher kann ihre Kraft nicht neu berechnet werden</translation>
+    </message>
+    <message>
+        <source>was unplugged or closed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -12562,6 +13365,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die hier nichts liest</translation>
     </message>
     <message>
+        <source>whoever is in the network and knows the URL can send to port {port} of this machine while it records.</source>
+        <translation>wer im Netz ist und die URL kennt, kann während der Aufnahme an Port {port} dieses Rechners senden.</translation>
+    </message>
+    <message>
         <source>window not responding</source>
         <translation>Fenster reagierte nicht</translation>
     </message>
@@ -12580,6 +13387,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>without</source>
         <translation>ohne</translation>
+    </message>
+    <message>
+        <source>without labels</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>write numbers without units or signs, or choose another log</source>
@@ -12622,6 +13433,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} wird geschrieben</translation>
     </message>
     <message>
+        <source>x right, y front, z up, as printed on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>
@@ -12636,6 +13451,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{answer}</source>
         <translation>{answer}</translation>
+    </message>
+    <message>
+        <source>{at_s:.1f} s: {what}</source>
+        <translation>{at_s:.1f} s: {what}</translation>
     </message>
     <message>
         <source>{axis} appears twice; the first was read</source>
@@ -12710,6 +13529,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{free_gb:.1f} GB frei</translation>
     </message>
     <message>
+        <source>{how} ({size} MB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{how}; or {others}</source>
         <translation>{how}; oder {others}</translation>
     </message>
@@ -12770,8 +13593,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name!r} hat keine Parameter</translation>
     </message>
     <message>
+        <source>{name!r} is asked for each feedback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name!r} is not a number that is known there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} ist kein einfacher Dateiname</translation>
+    </message>
+    <message>
+        <source>{name!r} is not in &apos;of&apos;</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{name!r} is the name of a condition; choose another name</source>
@@ -12966,8 +13801,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{place} wurde weggelassen, da ihre Zeit mehr als eine Stunde abliegt</translation>
     </message>
     <message>
+        <source>{purpose} needs {packages}, which this installation lacks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz</source>
         <translation>{rate_hz:g} Hz liegen über der Rate der Werte, {input_rate_hz:.4g} Hz</translation>
+    </message>
+    <message>
+        <source>{rate} samples per second are set in the sensor and kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{reason}; the copy in the journal was used</source>
@@ -12986,8 +13833,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{server} antwortet nicht</translation>
     </message>
     <message>
+        <source>{source} cannot send {rate} samples per second at {baud} baud; set it to 115200 baud with its maker&apos;s program, and give baud=115200</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} does not understand {part!r}; give each of {known} once, such as {name}=VALUE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} needs a place; give one, such as {option} {source}:{example}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it</source>
         <translation>{source}: einwandfrei, aber keine der bekannten Firmware-Dateien ({known}; SHA-256 {sha256}...); sie würde die Motoren betreiben: Sagen Sie, dass Sie das wollen</translation>
+    </message>
+    <message>
+        <source>{source}: {question} Allow it with {option} {source}:{text},allow=yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{stream}: is back</source>
+        <translation>{stream}: ist wieder da</translation>
+    </message>
+    <message>
+        <source>{stream}: nothing for {stall_s:.1f} s (check the cable, or wake the phone up); the rest goes on</source>
+        <translation>{stream}: nichts seit {stall_s:.1f} s (prüfen Sie das Kabel, oder wecken Sie das Telefon); der Rest läuft weiter</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the wearer&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -13008,6 +13879,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
         <translation>{text!r} ist keine Adresse dieses Rechners; geben Sie eine ganz an, etwa {loopback} oder 192.168.1.5</translation>
+    </message>
+    <message>
+        <source>{text}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{text}; taps and frames could not correct it: {why}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{time_s:.3g} s is later than any clip</source>

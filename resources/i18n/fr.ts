@@ -64,6 +64,10 @@
         <translation>Re&amp;jouer un journal…</translation>
     </message>
     <message>
+        <source>Re&amp;cord…</source>
+        <translation>Enregistrer une pri&amp;se…</translation>
+    </message>
+    <message>
         <source>&amp;Playlist…</source>
         <translation>&amp;Liste de lecture…</translation>
     </message>
@@ -549,6 +553,85 @@
     <message>
         <source>What is installed, what is missing, and how to get it.</source>
         <translation>Ce qui est installé, ce qui manque, et comment l’obtenir.</translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceForm</name>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Microphone</source>
+        <translation>Microphone</translation>
+    </message>
+    <message>
+        <source>Motion sensor</source>
+        <translation>Capteur de mouvement</translation>
+    </message>
+    <message>
+        <source>Place of the motion sensor</source>
+        <translation>Connexion du capteur de mouvement</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Chercher à nouveau</translation>
+    </message>
+    <message>
+        <source>Look for cameras and microphones again</source>
+        <translation>Chercher à nouveau des caméras et des microphones</translation>
+    </message>
+    <message>
+        <source>The folder that takes are saved in</source>
+        <translation>Le dossier où les prises sont enregistrées</translation>
+    </message>
+    <message>
+        <source>Save i&amp;n…</source>
+        <translation>Enregistrer da&amp;ns…</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>Camér&amp;a</translation>
+    </message>
+    <message>
+        <source>M&amp;icrophone</source>
+        <translation>M&amp;icrophone</translation>
+    </message>
+    <message>
+        <source>Motion &amp;sensor</source>
+        <translation>Capteur de &amp;mouvement</translation>
+    </message>
+    <message>
+        <source>at &amp;place</source>
+        <translation>conne&amp;xion</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>No camera was found: plug one in, and press Look again.</source>
+        <translation>Aucune caméra trouvée&#xa0;: branchez-en une, puis «&#xa0;Chercher à nouveau&#xa0;».</translation>
+    </message>
+    <message>
+        <source>No microphone was found.</source>
+        <translation>Aucun microphone trouvé.</translation>
+    </message>
+    <message>
+        <source>Without a motion sensor, motion can be suggested from the frames.</source>
+        <translation>Sans capteur, un mouvement peut être proposé d’après les images.</translation>
+    </message>
+    <message>
+        <source>Looking for cameras…</source>
+        <translation>Recherche de caméras…</translation>
+    </message>
+    <message>
+        <source>Options may follow a comma: {options}</source>
+        <translation>Des options peuvent suivre une virgule&#xa0;: {options}</translation>
+    </message>
+    <message>
+        <source>Choose where takes are saved</source>
+        <translation>Choisir où les prises sont enregistrées</translation>
     </message>
 </context>
 <context>
@@ -1331,10 +1414,6 @@
         <translation>Ouvrez une séquence ou une vidéo, ou déposez-la ici. Une vidéo seule est lue sans force&#xa0;; importez-la avec ses données de mouvement pour la ressentir.</translation>
     </message>
     <message>
-        <source>A simulated ride; created on first use</source>
-        <translation>Un parcours simulé&#xa0;; créé à la première utilisation</translation>
-    </message>
-    <message>
         <source>Open a sequence folder</source>
         <translation>Ouvrir le dossier d’une séquence</translation>
     </message>
@@ -1347,6 +1426,14 @@
         <translation>Créer une séquence à partir d’une vidéo et de son mouvement</translation>
     </message>
     <message>
+        <source>Record…</source>
+        <translation>Enregistrer une prise…</translation>
+    </message>
+    <message>
+        <source>Record with a camera and a motion sensor</source>
+        <translation>Enregistrer avec une caméra et un capteur de mouvement</translation>
+    </message>
+    <message>
         <source>Choose a device…</source>
         <translation>Choisir un appareil…</translation>
     </message>
@@ -1357,6 +1444,10 @@
     <message>
         <source>Play the demo</source>
         <translation>Lire la démo</translation>
+    </message>
+    <message>
+        <source>A simulated ride by bicycle</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Open a sequence…</source>
@@ -1587,6 +1678,17 @@
     <message>
         <source>Window hangs, 1.3 s</source>
         <translation>Fenêtre figée, 1,3 s</translation>
+    </message>
+</context>
+<context>
+    <name>FeelNow</name>
+    <message>
+        <source>&amp;Feel it now</source>
+        <translation>&amp;Ressentir</translation>
+    </message>
+    <message>
+        <source>Feel what the sensor measures at this moment, on the haptic device</source>
+        <translation>Ressentir sur l’appareil haptique ce que le capteur mesure en ce moment</translation>
     </message>
 </context>
 <context>
@@ -2916,6 +3018,86 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>LivePane</name>
+    <message>
+        <source>Microphone</source>
+        <translation>Microphone</translation>
+    </message>
+    <message>
+        <source>Acceleration of the last seconds</source>
+        <translation>Accélération des dernières secondes</translation>
+    </message>
+    <message>
+        <source>Angular rate of the last seconds</source>
+        <translation>Vitesse angulaire des dernières secondes</translation>
+    </message>
+    <message>
+        <source>Acceleration with gravity, m/s²</source>
+        <translation>Accélération avec gravité, m/s²</translation>
+    </message>
+    <message>
+        <source>Angular rate, rad/s</source>
+        <translation>Vitesse angulaire, rad/s</translation>
+    </message>
+    <message>
+        <source>No camera</source>
+        <translation>Pas de caméra</translation>
+    </message>
+    <message>
+        <source>camera {rate} fps, dropped {lost}</source>
+        <translation>caméra {rate} images/s, sautées&#xa0;: {lost}</translation>
+    </message>
+    <message>
+        <source>sensor {rate} Hz, lost {lost}</source>
+        <translation>capteur {rate} Hz, perdus&#xa0;: {lost}</translation>
+    </message>
+    <message>
+        <source>gaps {count}</source>
+        <translation>lacunes&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>marks {count}</source>
+        <translation>marques&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>{free} GB free</source>
+        <translation>{free} Go libres</translation>
+    </message>
+</context>
+<context>
+    <name>LivePicture</name>
+    <message>
+        <source>Live picture</source>
+        <translation>Image en direct</translation>
+    </message>
+</context>
+<context>
+    <name>LivePlot</name>
+    <message>
+        <source>Wheel or + and −: zoom. Double-click or Enter: reset</source>
+        <translation>Molette ou + et −&#xa0;: zoomer. Double clic ou Entrée&#xa0;: réinitialiser</translation>
+    </message>
+</context>
+<context>
+    <name>LogQuestionBox</name>
+    <message>
+        <source>&amp;Answer</source>
+        <translation>&amp;Répondre</translation>
+    </message>
+    <message>
+        <source>Read the log with this answer</source>
+        <translation>Lire le journal avec cette réponse</translation>
+    </message>
+    <message>
+        <source>Answer in a &amp;form…</source>
+        <translation>Répondre dans un f&amp;ormulaire…</translation>
+    </message>
+    <message>
+        <source>Units, axes, signs and more, with a check against gravity</source>
+        <translation>Unités, axes, signes et plus encore, vérifiés d’après la pesanteur</translation>
+    </message>
+</context>
+<context>
     <name>MarkerList</name>
     <message>
         <source>Markers</source>
@@ -3867,6 +4049,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Page</translation>
     </message>
     <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score: {text}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>(no wording yet)</source>
         <translation>(pas encore de formulation)</translation>
     </message>
@@ -3881,6 +4075,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>All clips may be played again there</source>
         <translation>Tous les clips peuvent y être rejoués</translation>
+    </message>
+    <message>
+        <source>The questions are shown one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wording</source>
@@ -3975,8 +4181,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Ajouter une réponse</translation>
     </message>
     <message>
+        <source>Number that it counts as, if any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Remove this answer</source>
         <translation>Retirer cette réponse</translation>
+    </message>
+    <message>
+        <source>another scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another score</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>another question</source>
@@ -4376,6 +4594,109 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>RecordPage</name>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer une prise</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Fermer cette fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;Mark</source>
+        <translation>Mar&amp;quer</translation>
+    </message>
+    <message>
+        <source>Mark this moment in the recording</source>
+        <translation>Marquer cet instant dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view</source>
+        <translation>Aperç&amp;u</translation>
+    </message>
+    <message>
+        <source>Show picture, sound and motion for a minute; nothing is kept</source>
+        <translation>Montrer image, son et mouvement pendant une minute&#xa0;; rien n’est gardé</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Start a recording</source>
+        <translation>Commencer un enregistrement</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Arrê&amp;ter</translation>
+    </message>
+    <message>
+        <source>Stop, and show the take</source>
+        <translation>Arrêter et montrer la prise</translation>
+    </message>
+    <message>
+        <source>Record &amp;again</source>
+        <translation>Re&amp;commencer</translation>
+    </message>
+    <message>
+        <source>Keep this take, and record another one</source>
+        <translation>Garder cette prise et en faire une autre</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Make a sequence of this take</source>
+        <translation>Faire une séquence de cette prise</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Ouverture</translation>
+    </message>
+    <message>
+        <source>Closing</source>
+        <translation>Fermeture</translation>
+    </message>
+    <message>
+        <source>Reading the take</source>
+        <translation>Lecture de la prise</translation>
+    </message>
+    <message>
+        <source>&amp;Allow</source>
+        <translation>A&amp;utoriser</translation>
+    </message>
+    <message>
+        <source>&amp;Do not allow</source>
+        <translation>&amp;Ne pas autoriser</translation>
+    </message>
+    <message>
+        <source>End pre&amp;view</source>
+        <translation>Fin de l’aperç&amp;u</translation>
+    </message>
+    <message>
+        <source>A recording is running. Stop it? What was recorded is kept.</source>
+        <translation>Un enregistrement est en cours. L’arrêter&#xa0;? Ce qui a été enregistré est gardé.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Continuer</translation>
+    </message>
+</context>
+<context>
     <name>RecoveryBar</name>
     <message>
         <source>Discard</source>
@@ -4624,10 +4945,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Recalculer la piste réaliste et la piste aléatoire</translation>
     </message>
     <message>
-        <source>The demo stays as it is</source>
-        <translation>La démo reste telle quelle</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lecture</translation>
     </message>
@@ -4786,6 +5103,61 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>ScoreFields</name>
+    <message>
+        <source>Meaning (English)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names of questions of the page, or of scores before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those that count from the other end of their range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factors of 1, x, x² …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0, 2.5 multiplies the sum or mean by 2.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least answers to a mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All are needed where this is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation type="unfinished">Nom dans les données</translation>
+    </message>
+</context>
+<context>
     <name>SequenceList</name>
     <message>
         <source>Add from the library…</source>
@@ -4853,10 +5225,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Making the force</source>
         <translation>Calcul de la force</translation>
-    </message>
-    <message>
-        <source>Preparing the demo</source>
-        <translation>Préparation de la démo</translation>
     </message>
     <message>
         <source>Another task is running; wait for it or cancel it</source>
@@ -6180,6 +6548,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Fait partie de la somme QoE</translation>
     </message>
     <message>
+        <source>Scores</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions of a score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Title</source>
         <translation>Titre</translation>
     </message>
@@ -6481,6 +6861,64 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>TakeStrip</name>
+    <message>
+        <source>The take over time</source>
+        <translation>La prise au fil du temps</translation>
+    </message>
+    <message>
+        <source>Click: seek. Left and Right: 1 s, with Shift 5 s. Wheel: zoom</source>
+        <translation>Clic&#xa0;: aller à. Gauche et droite&#xa0;: 1 s, avec Maj 5 s. Molette&#xa0;: zoomer</translation>
+    </message>
+</context>
+<context>
+    <name>TakeView</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lire</translation>
+    </message>
+    <message>
+        <source>Play the take with its sound</source>
+        <translation>Lire la prise avec son son</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>son</translation>
+    </message>
+    <message>
+        <source>acceleration without gravity, p</source>
+        <translation>accélération sans gravité, p</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>dropped frames: {count}</source>
+        <translation>images sautées&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>lost samples: {count}</source>
+        <translation>mesures perdues&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>residual of the sensor&apos;s clock: {ms} ms</source>
+        <translation>résidu de l’horloge du capteur&#xa0;: {ms} ms</translation>
+    </message>
+    <message>
+        <source>No motion was recorded; the import can suggest some from the frames.</source>
+        <translation>Aucun mouvement n’a été enregistré&#xa0;; l’importation peut en proposer un d’après les images.</translation>
+    </message>
+    <message>
+        <source>No three taps were found: the clocks decide.</source>
+        <translation>Pas de trois tapotements trouvés&#xa0;: les horloges décident.</translation>
+    </message>
+    <message>
+        <source>Taps found: {count}. By them the clocks are {ms} ms apart, which the import corrects.</source>
+        <translation>Tapotements trouvés&#xa0;: {count}. D’après eux, les horloges diffèrent de {ms} ms, ce que l’importation corrige.</translation>
+    </message>
+</context>
+<context>
     <name>TextList</name>
     <message>
         <source>Texts</source>
@@ -6762,25 +7200,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Choose a folder</source>
         <translation>Choisir un dossier</translation>
-    </message>
-</context>
-<context>
-    <name>_Question</name>
-    <message>
-        <source>&amp;Answer</source>
-        <translation>&amp;Répondre</translation>
-    </message>
-    <message>
-        <source>Read the log with this answer</source>
-        <translation>Lire le journal avec cette réponse</translation>
-    </message>
-    <message>
-        <source>Answer in a &amp;form…</source>
-        <translation>Répondre dans un f&amp;ormulaire…</translation>
-    </message>
-    <message>
-        <source>Units, axes, signs and more, with a check against gravity</source>
-        <translation>Unités, axes, signes et plus encore, vérifiés d’après la pesanteur</translation>
     </message>
 </context>
 <context>
@@ -8022,10 +8441,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>importez de nouveau</translation>
     </message>
     <message>
-        <source>install hapticplayer[lsl], or {otherwise}</source>
-        <translation>installez hapticplayer[lsl], ou&#xa0;: {otherwise}</translation>
-    </message>
-    <message>
         <source>is a device, not a file</source>
         <translation>est un périphérique, pas un fichier</translation>
     </message>
@@ -8682,10 +9097,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Choc de {peak_mps2:.1f} m/s², entendu aussi</translation>
     </message>
     <message>
-        <source>Install hapticplayer with its extra websockets.</source>
-        <translation>Installez hapticplayer avec son option websockets.</translation>
-    </message>
-    <message>
         <source>Install the Python package sounddevice.</source>
         <translation>Installez le paquet Python sounddevice.</translation>
     </message>
@@ -9034,10 +9445,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>audio de trois canaux, pour vibreurs</translation>
     </message>
     <message>
-        <source>cameras</source>
-        <translation>caméras</translation>
-    </message>
-    <message>
         <source>cannot be copied into {kind} without changing its video</source>
         <translation>ne peut pas être copié en {kind} sans que sa vidéo change</translation>
     </message>
@@ -9048,10 +9455,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>cannot be written ({reason}); it is as it was</source>
         <translation>ne peut pas être écrit ({reason})&#xa0;; il est inchangé</translation>
-    </message>
-    <message>
-        <source>cannot listen on port {port} ({reason})</source>
-        <translation>impossible d’écouter sur le port {port} ({reason})</translation>
     </message>
     <message>
         <source>channels for {count} parts of the body act on one hand</source>
@@ -9076,10 +9479,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>choose a lower sample rate, or another format</source>
         <translation>choisissez une fréquence d’échantillonnage plus basse ou un autre format</translation>
-    </message>
-    <message>
-        <source>choose an address of this machine and a free port</source>
-        <translation>choisissez une adresse de cet ordinateur et un port libre</translation>
     </message>
     <message>
         <source>choose another clip</source>
@@ -9144,10 +9543,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>copy it from the other machine again; to use what is intact, move its folder into sessions</source>
         <translation>copiez-la encore une fois depuis l’autre ordinateur&#xa0;; pour utiliser ce qui est intact, déplacez son dossier dans sessions</translation>
-    </message>
-    <message>
-        <source>copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d</source>
-        <translation>copiez packaging/udev/70-novint-falcon.rules dans /etc/udev/rules.d</translation>
     </message>
     <message>
         <source>copying the sequence</source>
@@ -9482,14 +9877,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>dans la séquence {key!r}, {one!r} et {other!r} sont la même force</translation>
     </message>
     <message>
-        <source>install hapticplayer[vision], or convert it to H.264</source>
-        <translation>installez hapticplayer[vision], ou convertissez-la en H.264</translation>
-    </message>
-    <message>
-        <source>install the udev rule of packaging/ and plug it in again</source>
-        <translation>installez la règle udev de packaging/ et rebranchez-le</translation>
-    </message>
-    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>est un fichier FIT d’une montre de sport ou d’un compteur de vélo</translation>
     </message>
@@ -9782,10 +10169,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>normal&#xa0;: ce système n’accorde rien d’autre</translation>
     </message>
     <message>
-        <source>not looked at: the list of them is not here ({file})</source>
-        <translation>non vérifiés&#xa0;: leur liste n’est pas ici ({file})</translation>
-    </message>
-    <message>
         <source>not read: {what} ({count})</source>
         <translation>non lu&#xa0;: {what} ({count})</translation>
     </message>
@@ -10002,10 +10385,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>faites d’abord passer un participant</translation>
     </message>
     <message>
-        <source>run the doctor of the source tree for this part</source>
-        <translation>lancez le doctor de l’arborescence des sources pour cette partie</translation>
-    </message>
-    <message>
         <source>samples have the shape {shape}, expected N x 3</source>
         <translation>les échantillons ont la forme {shape}, attendu N x 3</translation>
     </message>
@@ -10150,10 +10529,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la synchronisation par les images est grossière, aucun mouvement n’est suggéré d’après les images</translation>
     </message>
     <message>
-        <source>system packages</source>
-        <translation>paquets système</translation>
-    </message>
-    <message>
         <source>take another sequence, or add &apos;estimated&apos; to feedbacks</source>
         <translation>prenez une autre séquence, ou ajoutez &apos;estimated&apos; à feedbacks</translation>
     </message>
@@ -10232,10 +10607,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the Inverse3 is not open; choose the device again</source>
         <translation>l’Inverse3 n’est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
-    </message>
-    <message>
-        <source>the Python package websockets is missing; install hapticplayer with its extra websockets</source>
-        <translation>le paquet Python websockets manque&#xa0;; installez hapticplayer avec son extra websockets</translation>
     </message>
     <message>
         <source>the angular rate is zero throughout, so no rotation is assumed</source>
@@ -10596,14 +10967,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>in swapped columns</source>
         <translation>dans des colonnes échangées</translation>
-    </message>
-    <message>
-        <source>install hapticplayer[cameras] ({library}), which reads it ({how})</source>
-        <translation>installez hapticplayer[cameras] ({library}), qui le lit ({how})</translation>
-    </message>
-    <message>
-        <source>install hapticplayer[vision], which synchronises without taps, finds the mounting of a sensor and suggests motion for a plain video</source>
-        <translation>installez hapticplayer[vision], qui synchronise sans tapotements, trouve la fixation d’un capteur et suggère un mouvement pour une simple vidéo</translation>
     </message>
     <message>
         <source>invalid force track</source>
@@ -11830,10 +12193,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>sinon, saisissez le décalage</translation>
     </message>
     <message>
-        <source>pairs: Wilcoxon with Holm, exact to {most} participants, then normal approximation; friedman: chi-square approximation</source>
-        <translation>pairs&#xa0;: Wilcoxon avec Holm, exact jusqu’à {most} participants, puis approximation normale&#xa0;; friedman&#xa0;: approximation du khi-deux</translation>
-    </message>
-    <message>
         <source>planned force, velocity, buttons and timing of each tick</source>
         <translation>force prévue, vitesse, boutons et temps de chaque période</translation>
     </message>
@@ -12350,10 +12709,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cette installation ne peut pas analyser les images d’un clip</translation>
     </message>
     <message>
-        <source>this installation has no demo; open a sequence or a video instead</source>
-        <translation>cette installation n’a pas de démo&#xa0;; ouvrez plutôt une séquence ou une vidéo</translation>
-    </message>
-    <message>
         <source>this installation has no streams of the kind {name!r}; leave them out</source>
         <translation>cette installation n’a pas de flux du type {name!r}&#xa0;; omettez-les</translation>
     </message>
@@ -12394,8 +12749,428 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyroscope explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s ({doubt})</translation>
     </message>
     <message>
+        <source>A stream of LSL, by its name or type</source>
+        <translation>Un flux LSL, par son nom ou son type</translation>
+    </message>
+    <message>
+        <source>Camera and IMU have the recorder&apos;s clock, known to about {sigma_ms:.0f} ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Haptic experience</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In Sensor Logger: Settings, Data Streaming, HTTP Push, Push URL {url}; then record Accelerometer, Gravity and Gyroscope.</source>
+        <translation>Dans Sensor Logger&#xa0;: Settings, Data Streaming, HTTP Push, Push URL {url}&#xa0;; puis enregistrer Accelerometer, Gravity et Gyroscope.</translation>
+    </message>
+    <message>
+        <source>Install hapticplayer[websockets]: {how}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines of CSV on standard input (`-`) or a port</source>
+        <translation>Lignes CSV de l’entrée standard (`-`) ou d’un port</translation>
+    </message>
+    <message>
+        <source>Motion sickness and vection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pair of opposites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Razor-AHRS, binary</source>
+        <translation>Razor-AHRS, binaire</translation>
+    </message>
+    <message>
+        <source>Razor-AHRS, text</source>
+        <translation>Razor-AHRS, texte</translation>
+    </message>
+    <message>
+        <source>Recorded here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensor Logger on a phone, which posts to this machine</source>
+        <translation>Sensor Logger sur un téléphone, qui envoie ici</translation>
+    </message>
+    <message>
+        <source>SensorServer on an Android phone, by WebSocket</source>
+        <translation>SensorServer sur Android, par WebSocket</translation>
+    </message>
+    <message>
+        <source>SparkFun Ultimate IMU, text of its stock firmware</source>
+        <translation>SparkFun Ultimate IMU, texte d’origine</translation>
+    </message>
+    <message>
+        <source>Susceptibility (MSSQ-short) and symptoms (SSQ) before, sickness (FMS) and vection after each clip, symptoms again at the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Haptic Experience Inventory (HXI) after each clip; its wording is to be entered from your copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measurement in phyphox is started from here.</source>
+        <translation>La mesure dans phyphox est lancée d’ici.</translation>
+    </message>
+    <message>
+        <source>The recorder&apos;s clock was {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off, measured from the {witness}; this is corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WitMotion WT901 and others with its protocol</source>
+        <translation>WitMotion WT901 et ceux de même protocole</translation>
+    </message>
+    <message>
+        <source>a lever arm needs a whole recording; feel the sensor where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accel-sign=+ if it reads +1 g on the axis that is up, at rest</source>
+        <translation>accel-sign=+ s’il lit +1 g au repos sur l’axe qui est en haut</translation>
+    </message>
+    <message>
+        <source>accel-sign=- if it reads -1 g there</source>
+        <translation>accel-sign=- s’il y lit -1 g</translation>
+    </message>
+    <message>
+        <source>add yourself to the group dialout and log in again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ask it once, or leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>begin with the line {names}, or name the columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the recorder&apos;s clock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check its cable and its name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check its cable and record again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the cable and the name, see /dev/serial/by-id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the sensor&apos;s cable, power and range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another camera or microphone, or unload and load the driver (uvcvideo with clock=CLOCK_MONOTONIC)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another format of the camera (NAME,input_format=mjpeg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose its acceleration with gravity (the raw accelerometer)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose its acceleration with gravity, or another unit (accel-unit)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose the folder of a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connect it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy {file} to /etc/udev/rules.d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy {file} to /etc/udev/rules.d and plug it in again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>delivers nothing more (it has ended)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>devices behind Intiface or Haply&apos;s service are not reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not answer ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not declare {what}</source>
+        <translation>ne déclare pas {what}</translation>
+    </message>
+    <message>
+        <source>enter the wording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finish it ({line})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a usual rate, such as baud=115200</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give its rate, such as baud=115200, and check its output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the one that the app shows, such as 192.168.1.20:8080</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no video, only motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds the force of a video, and no video of its name lies beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[cameras], which reads it ({how})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[lsl] ({how}), or {otherwise}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[lsl], or choose another source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision] ({how}), or convert it to H.264</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision], which synchronises without taps, finds the mounting of a sensor and suggests motion for a plain video ({how})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[{name}] ({how})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is being recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not an address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is only used with a mean of at least as many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is to be worded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its experiment does not record accelerometer and gyroscope together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its time stamps are {apart_s:.1f} s from this machine&apos;s clock, so nothing could be synchronised with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its {count} channels ({labels}) do not say which are the accelerometer&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lay the sensor down and let it rest for {rest_s:.1f} s</source>
+        <translation>posez le capteur et laissez-le au repos {rest_s:.1f} s</translation>
+    </message>
+    <message>
+        <source>look at the network and its firewall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make one in phyphox: +, Add simple experiment, Accelerometer and Gyroscope, sensor rate 0 (fastest), then Allow remote access</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the sensor: the grip follows</source>
+        <translation>bougez le capteur&#xa0;: la poignée suit</translation>
+    </message>
+    <message>
+        <source>name questions of the page, or scores before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name them in their order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reports of studies, no figures in files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no trial is streamed to LabRecorder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of its first {count} frames can be decoded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing comes from the sensor: check its cable, power, range</source>
+        <translation>rien ne vient du capteur&#xa0;: vérifiez câble, alimentation et portée</translation>
+    </message>
+    <message>
+        <source>nothing is recorded; give a camera, an IMU, or both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only {free_mb} MB of the disk are free</source>
+        <translation>il ne reste que {free_mb} Mo libres sur le disque</translation>
+    </message>
+    <message>
+        <source>open an experiment in phyphox, and Allow remote access in its menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pairs: Wilcoxon with Holm; friedman: Friedman&apos;s test; both exact to {most} participants, then approximations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phyphox on a phone, which is asked</source>
+        <translation>phyphox sur un téléphone, interrogé d’ici</translation>
+    </message>
+    <message>
+        <source>put the video there, or give a sequence the force (import-force)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>record with a camera, or import a video with this log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation in the frames</source>
+        <translation type="unfinished">rotation dans les images</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sends acceleration from which gravity was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sound is recorded with a camera; give one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start the program that sends it, in the same network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop the recording first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the Python package websockets is missing; install hapticplayer[websockets] ({how})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the accelerometer reads {norm_mps2:.3g} m/s2 at rest, gravity is 9.8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frames place the motion {off_s:+.2f} s from where the recorder&apos;s clock does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor is heard less than {slow_hz:.0f} times a second and felt in jerks: set it to 100, or choose one that sends each sample at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sign of its accelerometer</source>
+        <translation>le signe de son accéléromètre</translation>
+    </message>
+    <message>
         <source>the sound card {card!r} no longer accepts sound ({reason}); connect it and choose the device again</source>
         <translation>la carte son {card!r} n’accepte plus de son ({reason})&#xa0;; branchez-la et choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the source sends no angular rate, without which gravity cannot be told from motion; choose one with a gyroscope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stream does not answer ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stream&apos;s axes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the taps are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
@@ -12404,6 +13179,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the times of its packets and the camera&apos;s own place the motion {apart_s:.2f} s apart: the clip was cut</source>
         <translation>les temps de ses paquets et ceux de la caméra placent le mouvement à {apart_s:.2f} s d’écart&#xa0;: le clip a été coupé</translation>
+    </message>
+    <message>
+        <source>the unit of its accelerometer</source>
+        <translation>l’unité de son accéléromètre</translation>
+    </message>
+    <message>
+        <source>the unit of its gyroscope</source>
+        <translation>l’unité de son gyroscope</translation>
     </message>
     <message>
         <source>the unit of its times is known, or it has no times</source>
@@ -12416,6 +13199,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the {sensor} repeats its readings as a stuck sensor does, {share:.1%} of the time ({spans} from the start of the log); they are not used</source>
         <translation>{sensor}&#xa0;: les mesures se répètent comme celles d’un capteur bloqué, {share:.1%} du temps ({spans} depuis le début du journal)&#xa0;; elles ne sont pas utilisées</translation>
+    </message>
+    <message>
+        <source>there is no such stream</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no trial {step!r}</source>
@@ -12470,6 +13257,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>débranché</translation>
     </message>
     <message>
+        <source>update the app, or choose another source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>use &apos;repeats&apos;</source>
         <translation>utilisez &apos;repeats&apos;</translation>
     </message>
@@ -12506,6 +13297,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>attendez qu’il ait fini, ou fermez-le, puis réessayez</translation>
     </message>
     <message>
+        <source>wake the phone, look at its app and at the network, and try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>was changed by another program meanwhile</source>
         <translation>a été modifié entre-temps par un autre programme</translation>
     </message>
@@ -12522,8 +13317,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>a été créé entre-temps par un autre processus</translation>
     </message>
     <message>
+        <source>was not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>was shared without its motion, so its force cannot be rendered again</source>
         <translation>a été partagée sans son mouvement, donc sa force ne peut pas être recalculée</translation>
+    </message>
+    <message>
+        <source>was unplugged or closed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -12562,6 +13365,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>que rien ici ne lit</translation>
     </message>
     <message>
+        <source>whoever is in the network and knows the URL can send to port {port} of this machine while it records.</source>
+        <translation>qui est sur le réseau et connaît l’URL peut envoyer au port {port} de cette machine pendant l’enregistrement.</translation>
+    </message>
+    <message>
         <source>window not responding</source>
         <translation>fenêtre sans réponse</translation>
     </message>
@@ -12580,6 +13387,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>without</source>
         <translation>sans</translation>
+    </message>
+    <message>
+        <source>without labels</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>write numbers without units or signs, or choose another log</source>
@@ -12622,6 +13433,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>écriture de {name}</translation>
     </message>
     <message>
+        <source>x right, y front, z up, as printed on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>oui</translation>
     </message>
@@ -12636,6 +13451,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{answer}</source>
         <translation>{answer}</translation>
+    </message>
+    <message>
+        <source>{at_s:.1f} s: {what}</source>
+        <translation>{at_s:.1f} s&#xa0;: {what}</translation>
     </message>
     <message>
         <source>{axis} appears twice; the first was read</source>
@@ -12710,6 +13529,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{free_gb:.1f} Go libres</translation>
     </message>
     <message>
+        <source>{how} ({size} MB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{how}; or {others}</source>
         <translation>{how}&#xa0;; ou {others}</translation>
     </message>
@@ -12770,8 +13593,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name!r} n’a pas de paramètres</translation>
     </message>
     <message>
+        <source>{name!r} is asked for each feedback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name!r} is not a number that is known there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
+    </message>
+    <message>
+        <source>{name!r} is not in &apos;of&apos;</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{name!r} is the name of a condition; choose another name</source>
@@ -12966,8 +13801,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la {place} a été omise, car son temps est à plus d’une heure des autres</translation>
     </message>
     <message>
+        <source>{purpose} needs {packages}, which this installation lacks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz</source>
         <translation>{rate_hz:g} Hz dépasse la cadence des mesures, {input_rate_hz:.4g} Hz</translation>
+    </message>
+    <message>
+        <source>{rate} samples per second are set in the sensor and kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{reason}; the copy in the journal was used</source>
@@ -12986,8 +13833,32 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{server} ne répond pas</translation>
     </message>
     <message>
+        <source>{source} cannot send {rate} samples per second at {baud} baud; set it to 115200 baud with its maker&apos;s program, and give baud=115200</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} does not understand {part!r}; give each of {known} once, such as {name}=VALUE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} needs a place; give one, such as {option} {source}:{example}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it</source>
         <translation>{source}&#xa0;: en bon état, mais aucun des micrologiciels connus ({known}&#xa0;; SHA-256 {sha256}...)&#xa0;; il ferait tourner les moteurs&#xa0;: dites que vous le voulez</translation>
+    </message>
+    <message>
+        <source>{source}: {question} Allow it with {option} {source}:{text},allow=yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{stream}: is back</source>
+        <translation>{stream}&#xa0;: de retour</translation>
+    </message>
+    <message>
+        <source>{stream}: nothing for {stall_s:.1f} s (check the cable, or wake the phone up); the rest goes on</source>
+        <translation>{stream}&#xa0;: rien depuis {stall_s:.1f} s (vérifiez le câble, ou réveillez le téléphone)&#xa0;; le reste continue</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the wearer&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -13008,6 +13879,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
         <translation>{text!r} n’est pas une adresse de cet ordinateur&#xa0;; donnez-en une en entier, par exemple {loopback} ou 192.168.1.5</translation>
+    </message>
+    <message>
+        <source>{text}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{text}; taps and frames could not correct it: {why}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{time_s:.3g} s is later than any clip</source>
