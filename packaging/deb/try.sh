@@ -80,7 +80,10 @@ if ! diff "$root/srv/before" "$root/srv/after"; then
   step "the package left or took files"
   exit 1
 fi
-if inside getent group hapticplayer; then exit 1; fi
+if inside getent group hapticplayer || grep -rl hapticplayer "$root/usr/share/mime"; then
+  step "the package left a trace"
+  exit 1
+fi
 step "lintian"
 inside lintian --allow-root --fail-on error /srv/hapticplayer.deb >"$root/srv/lintian" || {
   grep '^E:' "$root/srv/lintian"

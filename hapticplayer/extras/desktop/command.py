@@ -28,6 +28,9 @@ PLACES = {
 }
 """Places below `share`, and what is copied there."""
 
+KEPT = "mime/haptics/hjif.xml"
+"""What update-mime-database makes and forgets to remove, as no other type is haptics/."""
+
 _CACHES = (
     ("update-mime-database", "mime"),
     ("update-desktop-database", "applications"),
@@ -81,7 +84,8 @@ def remove(prefix: Path | None) -> int:
     if prefix is None:
         _update_caches(share)
         say(f"removed below {share}")
-    for path in paths:
+    (share / KEPT).unlink(missing_ok=True)
+    for path in (*paths, share / KEPT):
         with contextlib.suppress(OSError):  # the first that holds something else
             for folder in _folders_between(path, share):
                 folder.rmdir()
