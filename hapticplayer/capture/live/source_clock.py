@@ -106,13 +106,19 @@ class SourceClock:
             return
         self._is_current = True
         at_s, delay_s = np.array(self._minima).T
-        scale_s = max(_LEAST_SCALE_S, float(delay_s.mean() - delay_s.min()))
+        scale_s = _scale_s(delay_s)
         for _ in range(2):  # the scale is that above the line, which goes by the scale
             self._slope = _likeliest_slope(at_s, delay_s, scale_s, self._sigma)
             above = delay_s - self._slope * at_s
             self._offset_s = float(above.min())
-            scale_s = max(_LEAST_SCALE_S, float(above.mean()) - self._offset_s)
+            scale_s = _scale_s(above)
         self._scale_s = scale_s
+
+
+def _scale_s(delay_s: Floats) -> float:
+    """The scale of exponential delays, by their median: a link that was down is none."""
+    median_s = float(np.median(delay_s) - delay_s.min())
+    return max(_LEAST_SCALE_S, median_s / math.log(2.0))
 
 
 def _likeliest_slope(

@@ -43,6 +43,15 @@ def test_estimates_so_far_are_those_of_the_pairs_so_far():
     assert causal.host_s(stamp_s) == pytest.approx(first.host_s(stamp_s), abs=1e-4)
 
 
+def test_a_buffer_that_is_read_at_once_blurs_no_clock():
+    stamp_s, arrival_s, true_s = pairs(20.0)
+    arrival_s[:400] = arrival_s[400]  # 4 s that were read at once
+    clock = SourceClock()
+    clock.add(stamp_s, arrival_s)
+    assert clock.host_s(stamp_s) - true_s == pytest.approx(LEAST_S, abs=1e-3)
+    assert clock.residual_s < 0.003
+
+
 def test_few_pairs_of_a_slow_link_do_not_bend_the_rate():
     stamp_s, arrival_s, _ = pairs(4.0, ppm=0.0, spread_s=0.078)
     clock = SourceClock()
