@@ -57,7 +57,7 @@ def answered(monkeypatch, sequence):
         monkeypatch.setattr(QInputDialog, name, lambda *_a, **_k: ("", False))
     monkeypatch.setattr(QMessageBox, "exec", lambda _box: BUTTONS.Discard)
     monkeypatch.setattr(QMessageBox, "question", lambda *_a, **_k: BUTTONS.Yes)
-    monkeypatch.setattr("app.player.session.in_child", lambda *_a, **_k: sequence)
+    monkeypatch.setattr("app.player.session.DEMO", sequence)
 
 
 @pytest.fixture
