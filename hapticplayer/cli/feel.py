@@ -19,6 +19,7 @@ from hapticplayer.cli.play import (
     attach_log,
     faults_of,
     loop_text,
+    problems_of,
     record_target,
     refuse_outputs,
     wanted_scheduling,
@@ -81,20 +82,23 @@ def _felt(
             if hasattr(stop, "number"):  # of a signal that is not a person's
                 raise
         state = feel.snapshot()
+        problems, notes = problems_of(player.snapshot())
         feel.stop()
         _poll_until(player, clock, clock.now_s() + _AT_REST_S)
     finally:
         player.close()
     report = {**player.summary(), **feel.summary()}
     say(json.dumps(report) if options.json else _summary_text(report))
-    problems: list[str] = faults_of(player.snapshot())
+    for note in notes:
+        say_aside(note)
+    problems += faults_of(player.snapshot())  # at the end
     if state.phase is FeelPhase.LOST:
         problems.append(state.text)
     elif not report["felt_s"]:
         problems.append(Message("nothing was felt: {why}", why=state.text))
-    for sentence in dict.fromkeys(problems):
+    for sentence in filter(None, dict.fromkeys(problems)):
         complain(sentence)
-    return int(bool(problems))
+    return int(any(problems))
 
 
 def _until_stopped(player: Player, feel: Feel, clock: Clock, duration_s: float) -> None:

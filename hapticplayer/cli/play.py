@@ -213,7 +213,7 @@ def play(options: argparse.Namespace) -> int:
             start_s=options.start,
             until_s=end_s,
         )
-        problems, notes = _problems(player.snapshot())
+        problems, notes = problems_of(player.snapshot())
     finally:
         player.close()
     problems += faults_of(player.snapshot())  # at the end
@@ -230,7 +230,7 @@ def play(options: argparse.Namespace) -> int:
     return int(bool(found))
 
 
-def _problems(now: Snapshot) -> tuple[list[str], list[str]]:
+def problems_of(now: Snapshot) -> tuple[list[str], list[str]]:
     """What makes the status 1, and what is only said.
 
     Nothing was felt where the leading output played nothing, or all of them.

@@ -28,7 +28,7 @@ from hapticplayer.rendering.force import mapped
 SLOW_HZ = 25.0
 """A source that is read less often is felt in jerks, or as silent."""
 _READ_S, _JOIN_S, _RATE_OVER_S, _GONE_S = 0.02, 2.0, 1.0, 1.5
-_BEGINS_S = 3.0  # a source may take so long to begin
+_BEGINS_S, _HEARD_S = 3.0, 0.5  # a source may take so long to begin; between reads
 _HELD_S = 0.1  # for which an angular rate also counts for samples without
 
 
@@ -115,6 +115,7 @@ class Feel:
         Args:
             is_read: whether a recorder reads the source; else a thread begins to.
         """
+        self._began_s = self._clock.now_s()
         self._source.listener = self.feed
         self._player.feel(self._force)
         if not is_read:
@@ -233,7 +234,7 @@ class Feel:
         if now_s - newest_s <= LIVE_VALID_S:
             return FeelPhase.FELT
         is_new = now_s - self._began_s < _BEGINS_S
-        is_heard = is_new or now_s - heard_s <= LIVE_VALID_S
+        is_heard = is_new or now_s - heard_s <= _HEARD_S
         is_waiting = not self._filter.is_ready or newest_s == -np.inf
         return FeelPhase.WAITING if is_heard and is_waiting else FeelPhase.SILENT
 

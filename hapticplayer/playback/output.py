@@ -238,14 +238,18 @@ class Output:
     def publish(self, clock: PlaybackClock, feedback: str) -> None:
         """Beat, and publish where the clip is, with the player's condition."""
         self.processes.beat()
-        has_own = feedback not in {NO_TRACK, LIVE}
-        wanted = (has_own and self.feedback) or feedback
+        wanted = self._condition(feedback)
         is_on = wanted in self._names and not self.is_muted
         if self.takes_motion and any(one.is_releasing for one in self._before):
             is_on = False
         self._is_wanted = is_on and clock.rate != 0.0
         ahead = clock.ahead(self.latency_s)
         self.processes.publish(ahead, wanted if is_on else NO_TRACK)
+
+    def _condition(self, feedback: str) -> str:
+        """Which one it plays while the player has this: its own, of a clip."""
+        has_own = self.feedback and feedback not in {NO_TRACK, LIVE}
+        return self.feedback if has_own else feedback
 
     def poll(self) -> None:
         """Read what the loop has done since."""
@@ -281,7 +285,7 @@ class Output:
         """What a front end shows; `feedback` is the player's."""
         processes, tick = self.processes, self.history.latest()
         mode, cause = self.activity()
-        feedback = self.feedback or feedback
+        feedback = self._condition(feedback) or self.feedback
         return OutputSnapshot(
             self.name,
             processes.health,

@@ -373,7 +373,7 @@ class Player:
             problem=clip.problem or clip.waiting,
             notices=tuple(self._reporter.notices),
             log_problem=self._log_problem,
-            outputs=self._outputs.states(self._feedback),
+            outputs=self._outputs.states(LIVE if self._live else self._feedback),
         )
 
     def measurements(self) -> Measurements:
