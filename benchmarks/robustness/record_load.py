@@ -62,7 +62,7 @@ def _cost(folder: Path, seconds: float, report: Report) -> None:
     }
     seen = _watched(running, seconds)
     for process in running.values():
-        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)  # may not be ignored, as SIGINT is by some
         process.wait()
     board.unplug()
     take = read_take(folder / "take")

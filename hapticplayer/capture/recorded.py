@@ -22,8 +22,8 @@ from hapticplayer.capture.clock_lag import stamped_here
 from hapticplayer.capture.csv_table import LOG_COLUMNS
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.si_csv import RECORDING
-from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.si_csv import RECORDING, SCHEMA, is_recorded
+from hapticplayer.capture.source import LogSource, open_file
 from hapticplayer.errors import InputError, Message, shell_line
 from hapticplayer.media.remux import MATROSKA, remux
 from hapticplayer.model import ClockMap
@@ -36,9 +36,11 @@ from hapticplayer.untrusted import read_regular
 CLIP, LOG = "clip.mkv", "imu.csv"
 COLUMNS = (*LOG_COLUMNS, si_csv.ARRIVAL)
 
-_SCHEMA, _VERSION = "hapticplayer.recording", 1
+_VERSION = 1
 _OTHER = Message("is not a recording"), Message("choose the folder of a recording")
-_MOST_GAPS = 1000
+MOST_GAPS = 1000
+"""That are kept of a stream, in memory and in the description."""
+
 _Seconds = Annotated[float, Meta(ge=-1e7, le=1e7)]
 _Residual = Annotated[float, Meta(ge=0.0, le=60.0)]
 
@@ -89,7 +91,7 @@ class Take(Struct, frozen=True, kw_only=True):
         clock: of the IMU; None without one, and before enough is known.
     """
 
-    schema: str = _SCHEMA
+    schema: str = SCHEMA
     version: int = _VERSION
     began: str
     zero_s: float = 0.0
@@ -104,8 +106,7 @@ class Take(Struct, frozen=True, kw_only=True):
     notices: list[str] = []
 
     def write(self, folder: Path) -> None:
-        kept = msgspec.structs.replace(self, gaps=self.gaps[:_MOST_GAPS])
-        replace_json(folder / RECORDING, msgspec.to_builtins(kept))
+        replace_json(folder / RECORDING, msgspec.to_builtins(self))
 
 
 class Parts(NamedTuple):
@@ -117,7 +118,8 @@ class Parts(NamedTuple):
 
 
 def is_take(folder: Path) -> bool:
-    return (folder / RECORDING).is_file()
+    path = folder / RECORDING
+    return path.is_file() and is_recorded(open_file(path))
 
 
 def parts_of(folder: Path) -> Parts:
@@ -139,7 +141,7 @@ def read_take(folder: Path) -> Take:
 
 def _take_of(text: bytes, where: str) -> Take:
     content = decode(text, dict[str, Any], where)
-    check_schema(content, (_SCHEMA, _VERSION), where, _OTHER)
+    check_schema(content, (SCHEMA, _VERSION), where, _OTHER)
     return convert(content, Take, where)
 
 
@@ -212,7 +214,7 @@ def line_of(clock: Any, ends_s: tuple[float, float]) -> SourceClockLine:
 
 
 def recognises(source: LogSource) -> Confidence:
-    is_ours = {RECORDING, LOG} <= set(source.names)
+    is_ours = LOG in source.names and is_recorded(source)
     return Confidence.CERTAIN if is_ours else Confidence.NO
 
 

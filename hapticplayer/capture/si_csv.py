@@ -55,8 +55,9 @@ from hapticplayer.model.limits import (
 from hapticplayer.model.spellings import column_names, find_separator
 from hapticplayer.storage import file_replaced
 
-RECORDING = "recording.json"
-"""Describes a folder that was recorded here; see `recorded`."""
+RECORDING, SCHEMA = "recording.json", "hapticplayer.recording"
+"""Describes a folder that was recorded here, see `recorded`; that of a simulated ride has
+the same name."""
 
 ARRIVAL = "arrival_s"
 """A column of recorders here: when the machine received the row."""
@@ -71,12 +72,13 @@ _UNITS: dict[str, tuple[str, Mapping[str, float]]] = {
 
 def recognises(source: LogSource) -> Confidence:
     """The name of the time column comes first; a folder holds one such file."""
-    is_other = RECORDING in source.names
-    return (
-        Confidence.CERTAIN
-        if len(_logs(source)) == 1 and not is_other
-        else Confidence.NO
-    )
+    is_one = len(_logs(source)) == 1 and not is_recorded(source)
+    return Confidence.CERTAIN if is_one else Confidence.NO
+
+
+def is_recorded(source: LogSource) -> bool:
+    """Whether it is a folder that was recorded here."""
+    return RECORDING in source.names and f'"{SCHEMA}"' in source.head(RECORDING)
 
 
 def _logs(source: LogSource) -> list[str]:

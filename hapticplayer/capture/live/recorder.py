@@ -47,7 +47,7 @@ CHECK_AT_S = 20.0
 
 _LOOK_S, _SYNC_S, _DESCRIBE_S, _JOIN_S = 0.1, 1.0, 5.0, 3.0
 _CAMERA_STALL_S, _SOURCE_STALL_S, _SOUND_STALL_S = 1.0, 0.5, 1.0
-_SHOWN_FOR_S = 1.0
+_SHOWN_FOR_S, _TOLD_EVERY_S = 1.0, 10.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,6 +134,7 @@ class Recorder:
         self._threads: dict[str, threading.Thread] = {}
         self._over: set[str] = set()
         self._silent: set[str] = set()
+        self._quiet_until_s: dict[str, float] = {}
         self._notices: list[Message] = []
         self._marks_s: list[float] = []
         self._zero_s, self._began, self._shown_until_s = 0.0, "", 0.0
@@ -296,10 +297,15 @@ class Recorder:
                 self._tell(message_of(problem))
 
     def _tell_of_silence(self) -> None:
+        """Tell when a stream falls silent and is back; of one that stutters, now and then."""
+        now_s = self._elapsed_s()
         for watch in self._watches():
             if watch.name in self._over:
                 continue
-            if watch.stalls(self._elapsed_s()):
+            if watch.stalls(now_s):
+                if now_s < self._quiet_until_s.get(watch.name, 0.0):
+                    continue
+                self._quiet_until_s[watch.name] = now_s + _TOLD_EVERY_S
                 self._silent.add(watch.name)
                 self._tell(
                     Message(

@@ -4,7 +4,7 @@ from collections import deque
 
 import numpy as np
 
-from hapticplayer.capture.recorded import Gap
+from hapticplayer.capture.recorded import MOST_GAPS, Gap
 from hapticplayer.model.arrays import Floats
 
 _STEPS = 20
@@ -65,7 +65,7 @@ class StreamWatch:
 
     def _miss(self, begin_s: float, end_s: float, missing: int) -> None:
         self.dropped += missing
-        if end_s - begin_s > _MARKED_S:
+        if end_s - begin_s > _MARKED_S and len(self.gaps) < MOST_GAPS:
             self.gaps.append(
                 Gap(self.name, round(begin_s, 6), round(end_s, 6), missing)
             )

@@ -113,7 +113,7 @@ def test_a_recording_that_goes_on_is_left_alone(make_take):
 
 
 def test_motion_alone_names_the_way_to_a_video(make_take):
-    with pytest.raises(InputError, match=r"holds no video.*--imu .*imu\.csv"):
+    with pytest.raises(InputError, match=r"holds no video.*--camera.*--imu"):
         parts_of(make_take(clip=False))
 
 
@@ -124,10 +124,18 @@ def test_the_mounting_is_handed_on(make_take):
     assert not is_take(folder.parent)
 
 
+def test_the_folder_of_a_simulated_ride_is_a_plain_log(make_take):
+    folder = make_take()
+    (folder / "recording.json").write_text('{"scenario": "bike", "seed": 1}')
+    assert not is_take(folder)
+    assert read_recording(folder / LOG).clock_map.confidence == 0.0
+    (folder / CLIP).unlink()
+    assert read_recording(folder).imu.time_s[0] == 0.0
+
+
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
-        ({"schema": "other"}, "is not a recording"),
         ({"version": 9}, "has version 9"),
         ({"clock": {"offset_s": 1e99}}, "offset_s"),
         ({"clock": {"offset_s": 0.0, "rate": 3.0}}, "rate"),

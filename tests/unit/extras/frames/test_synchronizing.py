@@ -17,6 +17,7 @@ from hapticplayer.extras.frames import own_clock
 from hapticplayer.extras.frames.synchronizing import (
     LONG_S,
     find_mounting,
+    liveliest_s,
     spans_to_watch,
     synchronize_frames,
 )
@@ -521,3 +522,12 @@ def test_coarse_frames_are_less_certain(found_by_frames) -> None:
 def test_frames_need_a_clip() -> None:
     with pytest.raises(UsageError, match="needs a clip"):
         own_clock.by_frames(SyncInput(Ride(1).log(ClockMap()), lambda: None))
+
+
+def test_the_liveliest_part_of_a_placed_log_is_watched():
+    time_s = np.arange(-300, 6300) / 100.0
+    rate = np.zeros((len(time_s), 3))
+    rate[(time_s > 31.0) & (time_s < 39.0), 1] = 0.5
+    rate[time_s < -1.0, 1] = 3.0  # before the clip
+    begin_s, end_s = liveliest_s(ImuLog(time_s, rate + 9.8, rate), 60.0)
+    assert (begin_s <= 31.0, end_s >= 39.0, end_s - begin_s) == (True, True, 12.0)
