@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.clock_lag import ClockLag
+from hapticplayer import extension
 from hapticplayer.capture.frames import frame_function
 from hapticplayer.capture.recording import OtherPlace
 from hapticplayer.capture.sync.methods import AUTO, sync_method
@@ -19,7 +19,7 @@ from hapticplayer.capture.sync.result import (
     Synchronisation,
     SyncInput,
 )
-from hapticplayer.errors import InputError, MediaError, Message, UsageError, joined
+from hapticplayer.errors import InputError, MediaError, Message, UsageError
 from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.model import ClockMap, ImuLog
 
@@ -34,12 +34,12 @@ NO_FIT = Message(
 
 BY_PACKETS = Message("as its own times place it")
 
-_CONTRADICTED = 0.2  # the confidence of a clock that is
+CONTRADICTED = 0.2  # the confidence of a clock that is
 _MIN_SOUND_RATE_HZ = 4000.0
 _AGREES_S = 0.0167
 _PATS_SIGMA_S = 0.004  # of pats at the least, beyond what their fit says
-_MOST_SIGMAS = 3.0
-_NEAR_S = 0.15  # of a recorder's clock: a camera's exposure and a link's least delay
+MOST_SIGMAS = 3.0
+_BY_RECORDER = "hapticplayer.capture.sync.by_recorder:corrected"  # seldom needed
 
 
 def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> ClipSound:
@@ -114,8 +114,8 @@ def automatic(inputs: SyncInput) -> Synchronisation:
 def _by_pats_and_frames(inputs: SyncInput) -> Synchronisation:
     if inputs.look is None:
         return by_pats(inputs)
-    pats, problem = _tried(by_pats, inputs)
-    frames, unseen = _tried(sync_method("frames").function(), inputs)
+    pats, problem = tried(by_pats, inputs)
+    frames, unseen = tried(sync_method("frames").function(), inputs)
     if pats is not None and frames is not None:
         return joined_findings(pats, frames)
     if frames is not None:
@@ -128,7 +128,7 @@ def _by_pats_and_frames(inputs: SyncInput) -> Synchronisation:
     raise _with_both_reasons(problem, unseen)
 
 
-def _tried(
+def tried(
     method: Callable[[SyncInput], Synchronisation], inputs: SyncInput
 ) -> tuple[Synchronisation | None, InputError | None]:
     """The result of a method, or why it cannot be used."""
@@ -189,7 +189,7 @@ def agree(pats: Synchronisation, frames: Synchronisation) -> bool:
         1e-6 * pats.drift_sigma_ppm * since_s,
         frames.offset_sigma_s,
     )
-    return abs(apart_s) <= _MOST_SIGMAS * sigma_s
+    return abs(apart_s) <= MOST_SIGMAS * sigma_s
 
 
 def by_given_offset(inputs: SyncInput) -> Synchronisation:
@@ -214,7 +214,8 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
         return _decided(inputs, inputs.own)
     lag = inputs.lag
     if lag is not None and lag.is_of_machine:
-        return _corrected(inputs, inputs.own, lag)
+        found: Synchronisation = extension.load(_BY_RECORDER)(inputs)
+        return found
     if lag is not None and not lag.is_measured and inputs.look is not None:
         measured = frame_function("lag")(inputs.imu, inputs.own, inputs.look)
         assert isinstance(measured, Synchronisation)
@@ -228,61 +229,13 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
     )
 
 
-def _corrected(inputs: SyncInput, own: ClockMap, lag: ClockLag) -> Synchronisation:
-    """A recorder's clock, whose constant taps correct, else the frames.
-
-    Taps are looked for near it only. Frames that are sure of another place contradict it.
-    """
-    reach_s = _NEAR_S + _MOST_SIGMAS * lag.sigma_s
-    found, unheard = _tried(by_pats, inputs._replace(near_s=reach_s))
-    unseen: InputError | None = None
-    if (found is None or not found.is_confident) and inputs.look is not None:
-        found, unseen = _tried(sync_method("frames").function(), inputs)
-    if found is None or not found.is_confident:
-        reasons: list[str] = [one.what for one in (unheard, unseen) if one is not None]
-        reasons += [found.frames.doubt] if found and found.frames else []
-        why = joined("; ", reasons or [NO_PATS])
-        lag = dataclasses.replace(lag, why=why)
-        return Synchronisation(own, "embedded", offset_sigma_s=lag.sigma_s, lag=lag)
-    middle_s = float(inputs.imu.time_s[len(inputs.imu) // 2])
-    off_s = own.offset_at(middle_s) - found.clock_map.offset_at(middle_s)
-    if abs(off_s) > reach_s:
-        return _contradicting(own, found, off_s)
-    sigma_s = max(found.offset_sigma_s, 0.0005)
-    lag = dataclasses.replace(
-        lag, measured_by=found.method, lag_s=off_s, sigma_s=sigma_s
-    )
-    clock = dataclasses.replace(found.clock_map, confidence=own.confidence)
-    return dataclasses.replace(found, clock_map=clock, method="embedded", lag=lag)
-
-
-def _contradicting(
-    own: ClockMap, found: Synchronisation, off_s: float
-) -> Synchronisation:
-    """A recorder's clock and frames that are sure of another place: a person decides."""
-    return Synchronisation(
-        dataclasses.replace(own, confidence=_CONTRADICTED),
-        "embedded",
-        second=found,
-        contradiction=Message(
-            "the frames place the motion {off_s:+.2f} s from where the recorder's clock "
-            "does",
-            off_s=-off_s,
-        ),
-        others=(
-            OtherPlace(Message("by the recorder's clock"), own.offset_s),
-            OtherPlace(Message("by the frames"), found.clock_map.offset_s),
-        ),
-    )
-
-
 def _decided(inputs: SyncInput, own: ClockMap) -> Synchronisation:
     """A clock that is contradicted: frames and pats decide, else a person."""
-    found, problem = _tried(_by_pats_and_frames, inputs)
+    found, problem = tried(_by_pats_and_frames, inputs)
     if found is not None and found.is_confident:
         return dataclasses.replace(found, contradiction=inputs.contradiction)
     return Synchronisation(
-        dataclasses.replace(own, confidence=_CONTRADICTED),
+        dataclasses.replace(own, confidence=CONTRADICTED),
         "embedded",
         second=found,
         unused=problem.what if problem else "",

@@ -6,6 +6,7 @@ from scipy.integrate import quad
 
 from hapticplayer.capture import synchronize
 from hapticplayer.capture.clock_lag import TAPS, stamped_here
+from hapticplayer.capture.sync import by_recorder as by_recorder_clock
 from hapticplayer.capture.sync import events, fit
 from hapticplayer.capture.sync import synchronize as synchronizing
 from hapticplayer.capture.sync.methods import SyncMethod
@@ -266,7 +267,7 @@ def test_frames_that_contradict_the_clock_of_a_recorder_ask(rng, monkeypatch):
     frames = Synchronisation(ClockMap(2.5, 1.0, 0.0, 0.99), "frames")
     row = SyncMethod("frames", "frames", "somewhere")
     monkeypatch.setattr(SyncMethod, "function", lambda _row: lambda _inputs: frames)
-    monkeypatch.setattr(synchronizing, "sync_method", lambda _name: row)
+    monkeypatch.setattr(by_recorder_clock, "sync_method", lambda _name: row)
     sound = np.zeros(16_000, np.float32)
     found = by_recorder(tapped((), 200, 0.0, rng), sound, ClockMap(), lambda: None)
     assert not found.is_confident
