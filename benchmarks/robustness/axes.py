@@ -46,7 +46,7 @@ PIECE_S, LEAST_ROWS, TURNS_RAD = 20.0, 100, np.radians(30.0)
 RIDES, QUICK_RIDES, QUICK_ONE_IN, EVERY, QUICK_EVERY = 200, 7, 12, 5, 20
 RIDE_SENSORS = ("camera", "phone", "paper-board")
 MOST_DIRECTIONS = 300
-LEAST_ASKED, LEAST_FIRST = 0.95, 0.8
+LEAST_ASKED = 0.95
 KEPT = np.eye(3)
 ONE_NEGATED = [KEPT - 2.0 * np.diag(axis) for axis in KEPT]
 PERMUTED = [np.array(p) for p in itertools.permutations(KEPT)][1:]
@@ -306,7 +306,7 @@ def _tell(found: list[Outcome], report: Report) -> None:
             ones = [one for one in shown if one.is_whole == is_whole]
             rows.append([change, name, len(ones), *shares(ones)])
             rows[-1].append(shares(o for o in turning if o.is_whole == is_whole)[0])
-        asked_share, first, _ = shares(shown)
+        asked_share, _, _ = shares(shown)
         report.target(f"{change}: share asked about", asked_share, (">=", LEAST_ASKED))
     wrong = [one for one in found if one.change and one.is_shown]
     _, first, named = shares(wrong)

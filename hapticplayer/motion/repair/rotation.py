@@ -90,7 +90,8 @@ class RotationWindows:
     ) -> None:
         interval_s = float(np.median(np.diff(time_s)))
         span_s = min(WINDOW_S, interval_s * (len(time_s) - 1))
-        is_spinning = np.square(angular_rate_radps).mean() > SPINNING_RMS_RADPS**2 / 3.0
+        power = float(np.vdot(angular_rate_radps, angular_rate_radps)) / len(time_s)
+        is_spinning = power > SPINNING_RMS_RADPS**2
         step_s = SHORT_STEP_S if is_spinning else STEP_S
         step = max(1, round(step_s / interval_s))
         length = round(span_s / interval_s) // step * step
