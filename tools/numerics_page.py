@@ -11,6 +11,7 @@ from tools.performance_page import RESULTS, ROOT, Table, date_of, lines_of, resu
 
 PAGE = ROOT / "docs" / "numerics.md"
 REFERENCE = "offlineVQF"
+PEER_ALONE = f"{REFERENCE} alone"  # of clips of the shortest length
 HOLE = "one with a hole"  # a recording that shows what a hole does; no family
 RIDES = {
     "bike": "bike",
@@ -53,17 +54,11 @@ interleaved rounds.
 
 ## Gravity: short clips
 
-`python -m benchmarks.motion short_clips`, {short_clips_date}: {short_clips_targets}. Clips of every recording and
-simulated ride, alone: mean error, m/s^2, beside offlineVQF on the same samples; share of clips above 1.5
-times its error; median sigma over RMS error; then for each flaw put on the sensor the error of
-offlineVQF's and the share within 2 sigma.
+`python -m benchmarks.motion short_clips`, {short_clips_date}: {short_clips_targets}. Clips of three lengths, both rates,
+alone and with a flaw put on the sensor: largest error of offlineVQF's on the same samples (least share
+within 2 sigma). Last, the shortest ones out of the whole log, and with the calibration of its other half.
 
 {short}
-
-Clips of 10 s every 10 s, mean over clips, m/s^2: alone, cut from the estimate of the whole log, and with
-the calibration of the other half of the log, which gains nothing where sensors saturate.
-
-{clips}
 
 ## Gravity: run time
 
@@ -145,6 +140,29 @@ def accuracy(
     return [*header, "within", "sigma", "us", "of its time"], rows
 
 
+def short(
+    clips: dict[str, dict[str, float]], errors: dict[str, dict[str, float]]
+) -> Table:
+    """One row for each flaw and each help, one column for each kind of recording."""
+    cells: dict[str, dict[str, list[dict[str, float]]]] = {}
+    for name, cell in clips.items():
+        kind, _, flaw = name.split(", ")
+        column = kind.removesuffix(" native").removesuffix(" 30 Hz")
+        cells.setdefault(flaw, {}).setdefault(column, []).append(cell)
+    columns = list(dict.fromkeys(kind for of in cells.values() for kind in of))
+    rows = [
+        [flaw, *(f"{max(one['ratio'] for one in of[kind]):.2f} "
+                 f"({min(one['within'] for one in of[kind]):.2f})" for kind in columns)]
+        for flaw, of in cells.items()
+    ]  # fmt: skip
+    for way in ("whole log", "calibration"):
+        shown = [errors.get(kind, {}) for kind in columns]
+        rows.append(
+            [way, *(f"{of[way] / of[PEER_ALONE]:.2f}" if of else "" for of in shown)]
+        )
+    return ["", *columns], rows
+
+
 def lengths(length: dict[str, Any]) -> Table:
     """One row for each length, native and at 30 Hz."""
     by_length: dict[str, list[str]] = {}
@@ -204,13 +222,16 @@ def page() -> str:
             found["run_time"]["us_per_sample"],
         ),
         "lengths": lengths(found["run_time"]["length"]),
+        "short": short(
+            found["short_clips"]["clips"], found["short_clips"]["error_mps2"]
+        ),
         "condition": condition(found["numerics"]["condition"]),
         "budget": budget(found["budget"]["rms_mn"]),
         "between": between(found["budget"]["between_means"]),
     }
     for one in found.values():
         for name, (head, *rows) in one.get("tables", {}).items():
-            tables[name] = (head, rows)
+            tables.setdefault(name, (head, rows))
     text = {name: lines_of(*table) for name, table in tables.items()}
     for name, one in found.items():
         met = [target["met"] for target in one["targets"]]
