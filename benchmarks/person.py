@@ -18,11 +18,11 @@ from app.experimenter.import_wizard import ImportWizard
 from app.player.window import PlayerWindow
 from hapticplayer.errors import Progress
 from hapticplayer.haptics.contract import Cause
-from hapticplayer.installation import DEMO
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.synchronizing import SyncChoices
 from hapticplayer.sequence.unpack import unpack
+from hapticplayer.shipped import DEMO
 
 Steps = Iterator[float]
 KEY, NO_KEY, LEFT = Qt.Key, Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton

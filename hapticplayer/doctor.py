@@ -1,6 +1,6 @@
 """Finds what this machine lacks to run the program, and names it by package.
 
-Standard library and `errors` only, and able to start on a bare system Python before
+Standard library, `errors` and two files beside it only, and able to start on a bare system Python before
 anything is installed: `python3 hapticplayer/doctor.py`. The set-up asks it what to
 install.
 """
@@ -28,16 +28,13 @@ if not __package__:  # a program of its own
 from hapticplayer.errors import Message, joined
 from hapticplayer.installation import (
     EXTRAS,
-    IS_CLONE,
     NAME,
-    ROOT,
-    UDEV_RULE,
     Extra,
     how_to_get,
     is_beside_venv,
     is_debian,
-    shipped,
 )
+from hapticplayer.shipped import IS_CLONE, ROOT, UDEV_RULE, shipped
 
 APT_LIST = shipped("packaging/apt-packages.txt")
 APT_INSTALL = "apt-get install --no-install-recommends"

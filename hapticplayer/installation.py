@@ -1,6 +1,6 @@
-"""How the program is installed: the files that come with it, and its optional packages.
+"""How the program is installed, and its optional packages.
 
-Standard library and `errors` only: the doctor asks here before anything is installed.
+Standard library, `errors` and `shipped` only: the doctor asks here before anything is installed.
 """
 
 from __future__ import annotations
@@ -12,24 +12,11 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from hapticplayer.errors import InputError, Message, shell_line
+from hapticplayer.shipped import ROOT
 
-ROOT = Path(__file__).resolve().parent.parent
-IS_CLONE = (ROOT / "run").is_file()
 NAME = "hapticplayer"
 ADDED = Path("/usr/local/lib") / NAME
 """Where the Debian package also looks for Python packages, in a folder for each Python."""
-
-
-def shipped(place: str) -> Path:
-    """A file or folder by its place in the source tree; a wheel has all in resources."""
-    inside = ROOT / "resources" / place
-    return inside if inside.exists() else ROOT / place
-
-
-UDEV_RULE = shipped("packaging/udev/70-novint-falcon.rules")
-
-DEMO = shipped("resources/demo.mkv")
-"""A packed ride, made by `tools.demo`."""
 
 
 # No slots: the doctor must also start on the older Python that it then reports.

@@ -10,11 +10,11 @@ from pathlib import Path
 
 from hapticplayer.extras.rides.recording import simulate
 from hapticplayer.extras.rides.recordings import DEMO_SEED
-from hapticplayer.installation import DEMO
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.sequence.pack import pack
+from hapticplayer.shipped import DEMO
 
 SCENE, TITLE = "tour", "A ride by bicycle (simulated)"
 RATE_FACTOR = 30.0

@@ -9,7 +9,7 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from hapticplayer.errors import Message
-from hapticplayer.installation import shipped
+from hapticplayer.shipped import shipped
 
 FOLDER = shipped("resources/i18n")
 ENGLISH, SYSTEM = "en", "system"

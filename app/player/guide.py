@@ -26,7 +26,7 @@ from app.widgets.layout import (
     resize_within_screen,
     row_of,
 )
-from hapticplayer.installation import shipped
+from hapticplayer.shipped import shipped
 from hapticplayer.untrusted import read_regular
 
 _FIRST = ("play", "import", "recording", "force", "effects", "devices", "study")

@@ -12,7 +12,6 @@ from app.bridge.jobs import Jobs
 from hapticplayer.errors import HapticPlayerError, Progress, UsageError, message_of
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.processes import Health
-from hapticplayer.installation import DEMO
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.latch import STOPPED
 from hapticplayer.playback.phases import Phase
@@ -22,6 +21,7 @@ from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict, VideoCheck
 from hapticplayer.rendering import ChosenFeedback
+from hapticplayer.shipped import DEMO
 
 
 class Session(QObject):

@@ -16,7 +16,7 @@ from hapticplayer.devices.falcon.transport import (
     FalconGoneError,
 )
 from hapticplayer.errors import message_of
-from hapticplayer.installation import UDEV_RULE
+from hapticplayer.shipped import UDEV_RULE
 
 translate = QCoreApplication.translate
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication
 
-from hapticplayer.installation import shipped
+from hapticplayer.shipped import shipped
 
 FOLDER = shipped("resources/icons")
 _OFF_OPACITY = 0.35

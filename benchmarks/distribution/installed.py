@@ -12,7 +12,8 @@ from pathlib import Path
 from packaging.requirements import Requirement
 
 from benchmarks.common import Report
-from hapticplayer.installation import EXTRAS, NAME, ROOT
+from hapticplayer.installation import EXTRAS, NAME
+from hapticplayer.shipped import ROOT
 
 MOST_MB = 600.0
 _OWN = ("app", "hapticplayer", "resources", "docs")

@@ -26,7 +26,6 @@ from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.records import is_record
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.installation import DEMO
 from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.model import ranges
 from hapticplayer.playback.conditions import with_feedback
@@ -39,6 +38,7 @@ from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import FROM_FILE, Source, open_source
 from hapticplayer.playback.video_check import Verdict
 from hapticplayer.rendering import FEEDBACKS
+from hapticplayer.shipped import DEMO
 from hapticplayer.storage import FILE, make_way, refuse_existing
 
 _ADDRESS = re.compile(r"([a-z][a-z0-9+.-]+)://", re.IGNORECASE)

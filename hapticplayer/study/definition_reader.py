@@ -31,7 +31,6 @@ from hapticplayer.study.definition import (
     refuse,
 )
 from hapticplayer.study.questions import OF_KINDS, Fault, kind_of
-from hapticplayer.study.scoring import faults_of_scores
 
 DEFINITION = "study.json"
 _TO_BE_WORDED = re.compile(r"\s*\u2039.*\u203a\s*", re.DOTALL)
@@ -189,7 +188,16 @@ def _question_faults(made: Definition) -> Iterator[Fault]:
         for name, what, remedy in kind_of(asked).faults():
             yield f"{field}.{name}", what, remedy
         yield from _unused_in(field, when, asked)
-    for number, page in enumerate(made.pages):
+    yield from _faults_of_scores(made)
+
+
+def _faults_of_scores(made: Definition) -> Iterator[Fault]:
+    scored = [(i, page) for i, page in enumerate(made.pages) if page.scores]
+    if not scored:
+        return
+    from hapticplayer.study.scoring import faults_of_scores  # few studies have scores
+
+    for number, page in scored:
         for name, what, remedy in faults_of_scores(page):
             yield f"pages[{number}].{name}", what, remedy
 

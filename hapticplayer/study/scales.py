@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from hapticplayer.errors import Message, entry_named
-from hapticplayer.installation import shipped
+from hapticplayer.shipped import shipped
 from hapticplayer.structures import read_json
 from hapticplayer.study.definition import JsonObject, Key, Line, When
 

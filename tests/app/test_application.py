@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QApplication
 from app.player import application
 from app.player.window import PlayerWindow
 from hapticplayer import cli
-from hapticplayer.installation import DEMO
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.phases import Phase
+from hapticplayer.shipped import DEMO
 
 
 def run(*arguments) -> int:

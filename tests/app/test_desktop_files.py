@@ -14,7 +14,7 @@ from app.bridge.languages import ENGLISH, NAMES
 from hapticplayer import cli
 from hapticplayer.extras.desktop import command
 from hapticplayer.extras.desktop.man_page import man_page
-from hapticplayer.installation import shipped
+from hapticplayer.shipped import shipped
 
 FOLDER = shipped("resources/desktop")
 METADATA = FOLDER / "org.hapticplayer.hapticplayer.metainfo.xml"

@@ -13,7 +13,7 @@ from app.player.guide import GuideWindow, read_guide, slug
 from app.player.help_pages import CheckPage, ReportPage
 from app.player.problem_report import without_names, without_texts
 from hapticplayer.errors import InputError, Message, message_of
-from hapticplayer.installation import shipped
+from hapticplayer.shipped import shipped
 
 LINK = re.compile(r"\]\(([\w-]+\.md)?(?:#([\w-]+))?\)")
 

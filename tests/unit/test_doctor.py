@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from hapticplayer import doctor, errors, installation
+from hapticplayer import doctor, errors, installation, shipped
 
 RUN_PACKAGES = [
     package for package in doctor.read_apt_list() if package.group in doctor.RUN_GROUPS
@@ -155,7 +155,7 @@ def test_the_file_runs_alone_on_a_bare_python(tmp_path) -> None:
     assert result.stderr == ""
 
 
-@pytest.mark.parametrize("module", [doctor, errors, installation])
+@pytest.mark.parametrize("module", [doctor, errors, installation, shipped])
 def test_the_doctor_needs_only_the_standard_library(module) -> None:
     source = Path(module.__file__).read_text(encoding="utf-8")
     imported = set()
@@ -168,6 +168,7 @@ def test_the_doctor_needs_only_the_standard_library(module) -> None:
     assert imported - {
         "hapticplayer.errors",
         "hapticplayer.installation",
+        "hapticplayer.shipped",
         "collections.abc",
         "importlib.machinery",
     } <= (sys.stdlib_module_names)

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer import installation
+from hapticplayer import installation, shipped
 from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import probe
 from hapticplayer.sequence.packed import read_packed
 
-ROOT = installation.ROOT
+ROOT = shipped.ROOT
 BUILD = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"][
     "hatch"
 ]["build"]["targets"]["wheel"]
@@ -35,11 +35,11 @@ def test_each_shipped_file_is_in_the_tree_and_in_a_wheel() -> None:
 
 
 def test_a_wheel_finds_its_files_below_resources(monkeypatch, tmp_path) -> None:
-    monkeypatch.setattr(installation, "ROOT", tmp_path)
+    monkeypatch.setattr(shipped, "ROOT", tmp_path)
     (tmp_path / "resources" / "docs").mkdir(parents=True)
 
-    assert installation.shipped("docs") == tmp_path / "resources" / "docs"
-    assert installation.shipped("resources/icons") == tmp_path / "resources" / "icons"
+    assert shipped.shipped("docs") == tmp_path / "resources" / "docs"
+    assert shipped.shipped("resources/icons") == tmp_path / "resources" / "icons"
 
 
 @pytest.mark.parametrize(
@@ -86,8 +86,8 @@ def test_work_without_its_extra_is_refused_with_the_command(monkeypatch) -> None
 
 def test_the_demo_is_small_and_moves_in_three_ways() -> None:
     """A rough road, bends and a hard stop, each where the film shows it."""
-    packed = read_packed(installation.DEMO)
-    assert installation.DEMO.stat().st_size < 5_000_000
+    packed = read_packed(shipped.DEMO)
+    assert shipped.DEMO.stat().st_size < 5_000_000
     assert packed is not None
     assert packed.sequence.motion is not None
     assert probe(packed.sequence.clip).duration_s == pytest.approx(30.0, abs=0.1)

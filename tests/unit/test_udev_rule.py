@@ -5,7 +5,7 @@ from pathlib import Path
 
 from hapticplayer.devices.falcon.transport import PRODUCT_ID, VENDOR_ID
 from hapticplayer.doctor import ROOT
-from hapticplayer.installation import UDEV_RULE
+from hapticplayer.shipped import UDEV_RULE
 
 PATH = ROOT / UDEV_RULE
 

@@ -10,11 +10,11 @@ import numpy as np
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.extras.rides.recording import simulate, write_simulated_clip
-from hapticplayer.installation import DEMO
 from hapticplayer.sequence.build import build_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.import_preview import ImportPreview, preview_import
 from hapticplayer.sequence.unpack import unpack
+from hapticplayer.shipped import DEMO
 
 WIDE, HIGH = 384, 216
 SEED = 2012

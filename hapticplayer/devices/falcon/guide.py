@@ -10,7 +10,7 @@ from hapticplayer.devices.falcon.usbfs import NODE
 from hapticplayer.devices.guides import Guide
 from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.errors import HapticPlayerError, Message, message_of
-from hapticplayer.installation import UDEV_RULE
+from hapticplayer.shipped import UDEV_RULE
 
 _RULE = Message(
     "Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the device and plug it "

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from hapticplayer.errors import DeviceError, Message
-from hapticplayer.installation import UDEV_RULE
+from hapticplayer.shipped import UDEV_RULE
 
 VENDOR_ID = 0x0403
 PRODUCT_ID = 0xCB48

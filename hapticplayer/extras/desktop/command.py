@@ -13,7 +13,7 @@ from pathlib import Path
 from hapticplayer.cli.common import say
 from hapticplayer.errors import InputError, shell_line
 from hapticplayer.extras.desktop.man_page import man_page
-from hapticplayer.installation import IS_CLONE, ROOT, UDEV_RULE, shipped
+from hapticplayer.shipped import IS_CLONE, ROOT, UDEV_RULE, shipped
 
 RESOURCES = shipped("resources/desktop")
 ENTRY = "hapticplayer.desktop"
