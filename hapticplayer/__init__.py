@@ -3,4 +3,4 @@
 The engine: no Qt, importable without a display.
 """
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

@@ -2,7 +2,7 @@
 # Make hapticplayer_VERSION_amd64.deb: `packaging/deb/build.sh [FOLDER]`, by default dist.
 # One package for Debian 12 (Python 3.11) and 13 (Python 3.13): the application and its
 # locked Python packages under /usr/lib/hapticplayer, which is an environment of Python.
-# Needs ./run to have set up .venv. With SOURCE_DATE_EPOCH: the same bytes every time.
+# Needs ./run to have set up .venv. SOURCE_DATE_EPOCH is the time of all files in it.
 set -euo pipefail
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 root=$(dirname -- "$(dirname -- "$here")")

@@ -2,7 +2,7 @@
 # Make hapticplayer-VERSION-offline.zip for a computer without a network:
 # `packaging/offline/build.sh [FOLDER]`, by default dist. It holds the program's wheel, the
 # lock and its wheels for Python 3.11 to 3.13, and install.sh, which needs Python and nothing
-# else. Needs ./run to have set up .venv. With SOURCE_DATE_EPOCH: the same bytes every time.
+# else. Needs ./run to have set up .venv. SOURCE_DATE_EPOCH is the time of all files in it.
 set -euo pipefail
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 root=$(dirname -- "$(dirname -- "$here")")

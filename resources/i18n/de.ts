@@ -1447,7 +1447,7 @@
     </message>
     <message>
         <source>A simulated ride by bicycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine simulierte Fahrt mit dem Fahrrad</translation>
     </message>
     <message>
         <source>Open a sequence…</source>
@@ -4050,15 +4050,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Skala</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished"></translation>
+        <translation>Score</translation>
     </message>
     <message>
         <source>Score: {text}</source>
-        <translation type="unfinished"></translation>
+        <translation>Score: {text}</translation>
     </message>
     <message>
         <source>(no wording yet)</source>
@@ -4078,15 +4078,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>The questions are shown one after the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Fragen werden nacheinander gezeigt</translation>
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <source>Licence</source>
-        <translation type="unfinished"></translation>
+        <translation>Lizenz</translation>
     </message>
     <message>
         <source>Wording</source>
@@ -4182,7 +4182,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Number that it counts as, if any</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl, als die sie zählt, falls angegeben</translation>
     </message>
     <message>
         <source>Remove this answer</source>
@@ -4190,11 +4190,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>another scale</source>
-        <translation type="unfinished"></translation>
+        <translation>andere Skala</translation>
     </message>
     <message>
         <source>another score</source>
-        <translation type="unfinished"></translation>
+        <translation>anderer Score</translation>
     </message>
     <message>
         <source>another question</source>
@@ -5106,55 +5106,55 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <name>ScoreFields</name>
     <message>
         <source>Meaning (English)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedeutung (Englisch)</translation>
     </message>
     <message>
         <source>Made of</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebildet aus</translation>
     </message>
     <message>
         <source>Names of questions of the page, or of scores before it</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen von Fragen der Seite oder von Scores davor</translation>
     </message>
     <message>
         <source>Sum</source>
-        <translation type="unfinished"></translation>
+        <translation>Summe</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelwert</translation>
     </message>
     <message>
         <source>Computed as</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnet als</translation>
     </message>
     <message>
         <source>Reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>Umgekehrt</translation>
     </message>
     <message>
         <source>Those that count from the other end of their range</source>
-        <translation type="unfinished"></translation>
+        <translation>Die vom anderen Ende ihres Bereichs an zählen</translation>
     </message>
     <message>
         <source>Factors of 1, x, x² …</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktoren von 1, x, x² …</translation>
     </message>
     <message>
         <source>0, 2.5 multiplies the sum or mean by 2.5</source>
-        <translation type="unfinished"></translation>
+        <translation>0, 2.5 multipliziert Summe oder Mittelwert mit 2.5</translation>
     </message>
     <message>
         <source>Least answers to a mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Mindestzahl der Antworten</translation>
     </message>
     <message>
         <source>All are needed where this is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Ist das leer, sind alle nötig</translation>
     </message>
     <message>
         <source>Name in the data</source>
-        <translation type="unfinished">Name in den Daten</translation>
+        <translation>Name in den Daten</translation>
     </message>
 </context>
 <context>
@@ -6549,15 +6549,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Scores</source>
-        <translation type="unfinished"></translation>
+        <translation>Scores</translation>
     </message>
     <message>
         <source>Questions of a score</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragen eines Scores</translation>
     </message>
     <message>
         <source>Counts as</source>
-        <translation type="unfinished"></translation>
+        <translation>Zählt als</translation>
     </message>
     <message>
         <source>Title</source>
@@ -9417,6 +9417,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>fügen Sie eine hinzu: ob Kraft und Video zusammenpassten</translation>
     </message>
     <message>
+        <source>add yourself to the group {name}, log in again</source>
+        <translation>nehmen Sie sich in die Gruppe {name} auf, und melden Sie sich neu an</translation>
+    </message>
+    <message>
         <source>allow rtprio {n} and memlock in /etc/security/limits.d</source>
         <translation>erlauben Sie rtprio {n} und memlock in /etc/security/limits.d</translation>
     </message>
@@ -9817,6 +9821,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>hat Zahlen mit anderen Ziffern als 0 bis 9 ({found})</translation>
     </message>
     <message>
+        <source>has sent no sample yet</source>
+        <translation>hat noch keinen Wert gesendet</translation>
+    </message>
+    <message>
         <source>holds NUL bytes, as a logger leaves that loses its power</source>
         <translation>enthält NUL-Bytes, wie sie ein Logger hinterlässt, dem der Strom ausgeht</translation>
     </message>
@@ -9875,6 +9883,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>in the sequence {key!r}, {one!r} and {other!r} are the same force</source>
         <translation>in der Sequenz {key!r} sind {one!r} und {other!r} dieselbe Kraft</translation>
+    </message>
+    <message>
+        <source>install the program again</source>
+        <translation>installieren Sie das Programm neu</translation>
     </message>
     <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
@@ -10407,6 +10419,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>scheduling</source>
         <translation>Zeitzuteilung</translation>
+    </message>
+    <message>
+        <source>see whether it is switched on</source>
+        <translation>prüfen Sie, ob es eingeschaltet ist</translation>
     </message>
     <message>
         <source>see whether the toy is connected and charged</source>
@@ -12754,11 +12770,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Camera and IMU have the recorder&apos;s clock, known to about {sigma_ms:.0f} ms</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera und IMU haben die Uhr des Rekorders, auf etwa {sigma_ms:.0f} ms genau</translation>
     </message>
     <message>
         <source>Haptic experience</source>
-        <translation type="unfinished"></translation>
+        <translation>Haptisches Erleben</translation>
     </message>
     <message>
         <source>In Sensor Logger: Settings, Data Streaming, HTTP Push, Push URL {url}; then record Accelerometer, Gravity and Gyroscope.</source>
@@ -12766,7 +12782,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Install hapticplayer[websockets]: {how}</source>
-        <translation type="unfinished"></translation>
+        <translation>Installieren Sie hapticplayer[websockets]: {how}</translation>
     </message>
     <message>
         <source>Lines of CSV on standard input (`-`) or a port</source>
@@ -12774,11 +12790,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Motion sickness and vection</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegungskrankheit und Vektion</translation>
     </message>
     <message>
         <source>Pair of opposites</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegensatzpaar</translation>
     </message>
     <message>
         <source>Razor-AHRS, binary</source>
@@ -12790,7 +12806,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Recorded here</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier aufgenommen</translation>
     </message>
     <message>
         <source>Sensor Logger on a phone, which posts to this machine</source>
@@ -12806,11 +12822,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Susceptibility (MSSQ-short) and symptoms (SSQ) before, sickness (FMS) and vection after each clip, symptoms again at the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfälligkeit (MSSQ-short) und Symptome (SSQ) vorher, Übelkeit (FMS) und Vektion nach jedem Clip, am Ende noch einmal die Symptome.</translation>
     </message>
     <message>
         <source>The Haptic Experience Inventory (HXI) after each clip; its wording is to be entered from your copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Haptic Experience Inventory (HXI) nach jedem Clip; seinen Wortlaut geben Sie aus Ihrem Exemplar ein.</translation>
     </message>
     <message>
         <source>The measurement in phyphox is started from here.</source>
@@ -12818,7 +12834,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>The recorder&apos;s clock was {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off, measured from the {witness}; this is corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Uhr des Rekorders wich um {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) ab (gemessen: {witness}); das ist korrigiert.</translation>
     </message>
     <message>
         <source>WitMotion WT901 and others with its protocol</source>
@@ -12826,7 +12842,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>a lever arm needs a whole recording; feel the sensor where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hebelarm braucht eine ganze Aufnahme; spüren Sie den Sensor dort, wo er ist</translation>
     </message>
     <message>
         <source>accel-sign=+ if it reads +1 g on the axis that is up, at rest</source>
@@ -12838,91 +12854,91 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>add yourself to the group dialout and log in again</source>
-        <translation type="unfinished"></translation>
+        <translation>nehmen Sie sich in die Gruppe dialout auf, und melden Sie sich neu an</translation>
     </message>
     <message>
         <source>ask it once, or leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>fragen Sie es einmal, oder lassen Sie es weg</translation>
     </message>
     <message>
         <source>begin with the line {names}, or name the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>beginnen Sie mit der Zeile {names}, oder benennen Sie die Spalten</translation>
     </message>
     <message>
         <source>by the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>nach den Bildern</translation>
     </message>
     <message>
         <source>by the recorder&apos;s clock</source>
-        <translation type="unfinished"></translation>
+        <translation>nach der Uhr des Rekorders</translation>
     </message>
     <message>
         <source>cannot be opened ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>kann nicht geöffnet werden ({reason})</translation>
     </message>
     <message>
         <source>cannot be written ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>kann nicht geschrieben werden ({reason})</translation>
     </message>
     <message>
         <source>check its cable and its name</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie Kabel und Namen</translation>
     </message>
     <message>
         <source>check its cable and record again</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie das Kabel, und nehmen Sie noch einmal auf</translation>
     </message>
     <message>
         <source>check the cable and the name, see /dev/serial/by-id</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie Kabel und Namen, siehe /dev/serial/by-id</translation>
     </message>
     <message>
         <source>check the sensor&apos;s cable, power and range</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie Kabel, Strom und Reichweite des Sensors</translation>
     </message>
     <message>
         <source>choose another camera or microphone, or unload and load the driver (uvcvideo with clock=CLOCK_MONOTONIC)</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie eine andere Kamera oder ein anderes Mikrofon, oder entladen Sie den Treiber und laden Sie ihn neu (uvcvideo mit clock=CLOCK_MONOTONIC)</translation>
     </message>
     <message>
         <source>choose another format of the camera (NAME,input_format=mjpeg)</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie ein anderes Format der Kamera (NAME,input_format=mjpeg)</translation>
     </message>
     <message>
         <source>choose its acceleration with gravity (the raw accelerometer)</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie die Beschleunigung mit Schwerkraft (den rohen Beschleunigungssensor)</translation>
     </message>
     <message>
         <source>choose its acceleration with gravity, or another unit (accel-unit)</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie die Beschleunigung mit Schwerkraft, oder eine andere Einheit (accel-unit)</translation>
     </message>
     <message>
         <source>choose the folder of a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie den Ordner einer Aufnahme</translation>
     </message>
     <message>
         <source>connect it again</source>
-        <translation type="unfinished"></translation>
+        <translation>schließen Sie es wieder an</translation>
     </message>
     <message>
         <source>copy {file} to /etc/udev/rules.d</source>
-        <translation type="unfinished"></translation>
+        <translation>kopieren Sie {file} nach /etc/udev/rules.d</translation>
     </message>
     <message>
         <source>copy {file} to /etc/udev/rules.d and plug it in again</source>
-        <translation type="unfinished"></translation>
+        <translation>kopieren Sie {file} nach /etc/udev/rules.d, und stecken Sie es neu an</translation>
     </message>
     <message>
         <source>delivers nothing more (it has ended)</source>
-        <translation type="unfinished"></translation>
+        <translation>liefert nichts mehr (zu Ende)</translation>
     </message>
     <message>
         <source>devices behind Intiface or Haply&apos;s service are not reached</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte hinter Intiface oder dem Dienst von Haply sind nicht erreichbar</translation>
     </message>
     <message>
         <source>does not answer ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>antwortet nicht ({reason})</translation>
     </message>
     <message>
         <source>does not declare {what}</source>
@@ -12930,91 +12946,91 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>enter the wording</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie den Wortlaut ein</translation>
     </message>
     <message>
         <source>finish it ({line})</source>
-        <translation type="unfinished"></translation>
+        <translation>schließen Sie sie ab ({line})</translation>
     </message>
     <message>
         <source>give a usual rate, such as baud=115200</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie eine übliche Rate an, etwa baud=115200</translation>
     </message>
     <message>
         <source>give its rate, such as baud=115200, and check its output</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie seine Rate an, etwa baud=115200, und prüfen Sie seine Ausgabe</translation>
     </message>
     <message>
         <source>give the one that the app shows, such as 192.168.1.20:8080</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie die an, die die App zeigt, etwa 192.168.1.20:8080</translation>
     </message>
     <message>
         <source>has ended</source>
-        <translation type="unfinished"></translation>
+        <translation>ist zu Ende</translation>
     </message>
     <message>
         <source>holds no video, only motion</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält kein Video, nur Bewegung</translation>
     </message>
     <message>
         <source>holds the force of a video, and no video of its name lies beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält die Kraft eines Videos, und kein Video dieses Namens liegt daneben</translation>
     </message>
     <message>
         <source>install hapticplayer[cameras], which reads it ({how})</source>
-        <translation type="unfinished"></translation>
+        <translation>installieren Sie hapticplayer[cameras], das es liest ({how})</translation>
     </message>
     <message>
         <source>install hapticplayer[lsl] ({how}), or {otherwise}</source>
-        <translation type="unfinished"></translation>
+        <translation>installieren Sie hapticplayer[lsl] ({how}), oder {otherwise}</translation>
     </message>
     <message>
         <source>install hapticplayer[lsl], or choose another source</source>
-        <translation type="unfinished"></translation>
+        <translation>installieren Sie hapticplayer[lsl], oder wählen Sie eine andere Quelle</translation>
     </message>
     <message>
         <source>install hapticplayer[vision] ({how}), or convert it to H.264</source>
-        <translation type="unfinished"></translation>
+        <translation>installieren Sie hapticplayer[vision] ({how}), oder wandeln Sie es in H.264 um</translation>
     </message>
     <message>
         <source>install hapticplayer[vision], which synchronises without taps, finds the mounting of a sensor and suggests motion for a plain video ({how})</source>
-        <translation type="unfinished"></translation>
+        <translation>installieren Sie hapticplayer[vision], das ohne Klopfen synchronisiert, die Befestigung eines Sensors findet und für ein Video allein Bewegung vorschlägt ({how})</translation>
     </message>
     <message>
         <source>install hapticplayer[{name}] ({how})</source>
-        <translation type="unfinished"></translation>
+        <translation>installieren Sie hapticplayer[{name}] ({how})</translation>
     </message>
     <message>
         <source>is being recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gerade aufgenommen</translation>
     </message>
     <message>
         <source>is not a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>ist keine Aufnahme</translation>
     </message>
     <message>
         <source>is not an address</source>
-        <translation type="unfinished"></translation>
+        <translation>ist keine Adresse</translation>
     </message>
     <message>
         <source>is only used with a mean of at least as many</source>
-        <translation type="unfinished"></translation>
+        <translation>gilt nur bei einem Mittelwert aus mindestens so vielen</translation>
     </message>
     <message>
         <source>is to be worded</source>
-        <translation type="unfinished"></translation>
+        <translation>braucht noch einen Wortlaut</translation>
     </message>
     <message>
         <source>its experiment does not record accelerometer and gyroscope together</source>
-        <translation type="unfinished"></translation>
+        <translation>das Experiment zeichnet Beschleunigungssensor und Gyroskop nicht zusammen auf</translation>
     </message>
     <message>
         <source>its time stamps are {apart_s:.1f} s from this machine&apos;s clock, so nothing could be synchronised with it</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zeitstempel weichen um {apart_s:.1f} s von der Uhr dieses Rechners ab; damit ließe sich nichts synchronisieren</translation>
     </message>
     <message>
         <source>its {count} channels ({labels}) do not say which are the accelerometer&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>die {count} Kanäle ({labels}) sagen nicht, welche die des Beschleunigungssensors sind</translation>
     </message>
     <message>
         <source>lay the sensor down and let it rest for {rest_s:.1f} s</source>
@@ -13022,11 +13038,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>look at the network and its firewall</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie das Netz und seine Firewall</translation>
     </message>
     <message>
         <source>make one in phyphox: +, Add simple experiment, Accelerometer and Gyroscope, sensor rate 0 (fastest), then Allow remote access</source>
-        <translation type="unfinished"></translation>
+        <translation>legen Sie eines in phyphox an: +, Einfaches Experiment (Add simple experiment), Accelerometer und Gyroscope, Sensorrate 0 (schnellste), dann Fernzugriff erlauben (Allow remote access)</translation>
     </message>
     <message>
         <source>move the sensor: the grip follows</source>
@@ -13034,23 +13050,23 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>name questions of the page, or scores before it</source>
-        <translation type="unfinished"></translation>
+        <translation>nennen Sie Fragen der Seite oder Scores davor</translation>
     </message>
     <message>
         <source>name them in their order</source>
-        <translation type="unfinished"></translation>
+        <translation>nennen Sie sie in ihrer Reihenfolge</translation>
     </message>
     <message>
         <source>no reports of studies, no figures in files</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Berichte zu Studien, keine Abbildungen in Dateien</translation>
     </message>
     <message>
         <source>no trial is streamed to LabRecorder</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Durchgang wird an LabRecorder gesendet</translation>
     </message>
     <message>
         <source>none of its first {count} frames can be decoded</source>
-        <translation type="unfinished"></translation>
+        <translation>keines der ersten {count} Bilder lässt sich dekodieren</translation>
     </message>
     <message>
         <source>nothing comes from the sensor: check its cable, power, range</source>
@@ -13058,7 +13074,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>nothing is recorded; give a camera, an IMU, or both</source>
-        <translation type="unfinished"></translation>
+        <translation>es wird nichts aufgenommen; geben Sie eine Kamera, eine IMU oder beides an</translation>
     </message>
     <message>
         <source>only {free_mb} MB of the disk are free</source>
@@ -13066,11 +13082,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>open an experiment in phyphox, and Allow remote access in its menu</source>
-        <translation type="unfinished"></translation>
+        <translation>öffnen Sie ein Experiment in phyphox, und wählen Sie im Menü Fernzugriff erlauben (Allow remote access)</translation>
     </message>
     <message>
         <source>pairs: Wilcoxon with Holm; friedman: Friedman&apos;s test; both exact to {most} participants, then approximations</source>
-        <translation type="unfinished"></translation>
+        <translation>pairs: Wilcoxon mit Holm; friedman: Friedman-Test; beide bis {most} Personen exakt, darüber Näherungen</translation>
     </message>
     <message>
         <source>phyphox on a phone, which is asked</source>
@@ -13078,7 +13094,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>put the video there, or give a sequence the force (import-force)</source>
-        <translation type="unfinished"></translation>
+        <translation>legen Sie das Video dorthin, oder geben Sie einer Sequenz die Kraft (import-force)</translation>
     </message>
     <message>
         <source>reading</source>
@@ -13086,67 +13102,67 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>record with a camera, or import a video with this log</source>
-        <translation type="unfinished"></translation>
+        <translation>nehmen Sie mit einer Kamera auf, oder importieren Sie ein Video mit diesem Protokoll</translation>
     </message>
     <message>
         <source>recorded here</source>
-        <translation type="unfinished"></translation>
+        <translation>hier aufgenommen</translation>
     </message>
     <message>
         <source>rotation in the frames</source>
-        <translation type="unfinished">Drehung in den Bildern</translation>
+        <translation>Drehung in den Bildern</translation>
     </message>
     <message>
         <source>scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Skala</translation>
     </message>
     <message>
         <source>sends acceleration from which gravity was removed</source>
-        <translation type="unfinished"></translation>
+        <translation>sendet eine Beschleunigung, aus der die Schwerkraft entfernt ist</translation>
     </message>
     <message>
         <source>sensor silent</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor sendet nicht</translation>
     </message>
     <message>
         <source>sound is recorded with a camera; give one</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton wird mit einer Kamera aufgenommen; geben Sie eine an</translation>
     </message>
     <message>
         <source>standard input</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardeingabe</translation>
     </message>
     <message>
         <source>start the program that sends it, in the same network</source>
-        <translation type="unfinished"></translation>
+        <translation>starten Sie das Programm, das ihn sendet, im selben Netz</translation>
     </message>
     <message>
         <source>stop the recording first</source>
-        <translation type="unfinished"></translation>
+        <translation>beenden Sie zuerst die Aufnahme</translation>
     </message>
     <message>
         <source>taps</source>
-        <translation type="unfinished"></translation>
+        <translation>Klopfzeichen</translation>
     </message>
     <message>
         <source>the Python package websockets is missing; install hapticplayer[websockets] ({how})</source>
-        <translation type="unfinished"></translation>
+        <translation>das Python-Paket websockets fehlt; installieren Sie hapticplayer[websockets] ({how})</translation>
     </message>
     <message>
         <source>the accelerometer reads {norm_mps2:.3g} m/s2 at rest, gravity is 9.8</source>
-        <translation type="unfinished"></translation>
+        <translation>der Beschleunigungssensor zeigt in Ruhe {norm_mps2:.3g} m/s2, die Schwerkraft ist 9,8</translation>
     </message>
     <message>
         <source>the frames place the motion {off_s:+.2f} s from where the recorder&apos;s clock does</source>
-        <translation type="unfinished"></translation>
+        <translation>nach den Bildern liegt die Bewegung um {off_s:+.2f} s anders als nach der Uhr des Rekorders</translation>
     </message>
     <message>
         <source>the report</source>
-        <translation type="unfinished"></translation>
+        <translation>der Bericht</translation>
     </message>
     <message>
         <source>the sensor is heard less than {slow_hz:.0f} times a second and felt in jerks: set it to 100, or choose one that sends each sample at once</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Sensor kommen weniger als {slow_hz:.0f} Werte je Sekunde, die Kraft ruckelt: Stellen Sie ihn auf 100, oder wählen Sie einen, der jeden Wert sofort sendet</translation>
     </message>
     <message>
         <source>the sign of its accelerometer</source>
@@ -13158,19 +13174,19 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <source>the source sends no angular rate, without which gravity cannot be told from motion; choose one with a gyroscope</source>
-        <translation type="unfinished"></translation>
+        <translation>die Quelle sendet keine Drehrate, ohne die sich Schwerkraft und Bewegung nicht trennen lassen; wählen Sie eine mit Gyroskop</translation>
     </message>
     <message>
         <source>the stream does not answer ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>der Stream antwortet nicht ({reason})</translation>
     </message>
     <message>
         <source>the stream&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>die Achsen des Streams</translation>
     </message>
     <message>
         <source>the taps are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
@@ -13202,7 +13218,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>there is no such stream</source>
-        <translation type="unfinished"></translation>
+        <translation>diesen Stream gibt es nicht</translation>
     </message>
     <message>
         <source>there is no trial {step!r}</source>
@@ -13258,7 +13274,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>update the app, or choose another source</source>
-        <translation type="unfinished"></translation>
+        <translation>aktualisieren Sie die App, oder wählen Sie eine andere Quelle</translation>
     </message>
     <message>
         <source>use &apos;repeats&apos;</source>
@@ -13297,10 +13313,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>warten Sie, bis es fertig ist, oder schließen Sie es, und versuchen Sie es dann noch einmal</translation>
     </message>
     <message>
-        <source>wake the phone, look at its app and at the network, and try again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>was changed by another program meanwhile</source>
         <translation>wurde inzwischen von einem anderen Programm geändert</translation>
     </message>
@@ -13318,7 +13330,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>was not finished</source>
-        <translation type="unfinished"></translation>
+        <translation>wurde nicht abgeschlossen</translation>
     </message>
     <message>
         <source>was shared without its motion, so its force cannot be rendered again</source>
@@ -13326,7 +13338,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>was unplugged or closed</source>
-        <translation type="unfinished"></translation>
+        <translation>wurde abgezogen oder geschlossen</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -13390,7 +13402,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>without labels</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Beschriftung</translation>
     </message>
     <message>
         <source>write numbers without units or signs, or choose another log</source>
@@ -13434,7 +13446,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>x right, y front, z up, as printed on it</source>
-        <translation type="unfinished"></translation>
+        <translation>x rechts, y vorn, z oben, wie aufgedruckt</translation>
     </message>
     <message>
         <source>yes</source>
@@ -13530,7 +13542,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{how} ({size} MB)</source>
-        <translation type="unfinished"></translation>
+        <translation>{how} ({size} MB)</translation>
     </message>
     <message>
         <source>{how}; or {others}</source>
@@ -13594,11 +13606,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{name!r} is asked for each feedback</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} wird für jedes Feedback gefragt</translation>
     </message>
     <message>
         <source>{name!r} is not a number that is known there</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} ist dort nicht als Zahl bekannt</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -13606,7 +13618,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{name!r} is not in &apos;of&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} steht nicht in &apos;of&apos;</translation>
     </message>
     <message>
         <source>{name!r} is the name of a condition; choose another name</source>
@@ -13802,7 +13814,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{purpose} needs {packages}, which this installation lacks</source>
-        <translation type="unfinished"></translation>
+        <translation>{purpose} braucht {packages}; das fehlt in dieser Installation</translation>
     </message>
     <message>
         <source>{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz</source>
@@ -13810,11 +13822,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{rate} samples per second are set in the sensor and kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>{rate} Werte je Sekunde werden im Sensor eingestellt und bleiben gespeichert.</translation>
     </message>
     <message>
         <source>{reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>{reason}</translation>
     </message>
     <message>
         <source>{reason}; the copy in the journal was used</source>
@@ -13834,15 +13846,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{source} cannot send {rate} samples per second at {baud} baud; set it to 115200 baud with its maker&apos;s program, and give baud=115200</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} kann bei {baud} Baud keine {rate} Werte je Sekunde senden; stellen Sie ihn mit dem Programm des Herstellers auf 115200 Baud, und geben Sie baud=115200 an</translation>
     </message>
     <message>
         <source>{source} does not understand {part!r}; give each of {known} once, such as {name}=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} versteht {part!r} nicht; geben Sie jedes von {known} einmal an, etwa {name}=WERT</translation>
     </message>
     <message>
         <source>{source} needs a place; give one, such as {option} {source}:{example}</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} braucht einen Anschluss; geben Sie einen an, etwa {option} {source}:{example}</translation>
     </message>
     <message>
         <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it</source>
@@ -13850,7 +13862,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{source}: {question} Allow it with {option} {source}:{text},allow=yes</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}: {question} Erlauben Sie es mit {option} {source}:{text},allow=yes</translation>
     </message>
     <message>
         <source>{stream}: is back</source>
@@ -13859,6 +13871,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{stream}: nothing for {stall_s:.1f} s (check the cable, or wake the phone up); the rest goes on</source>
         <translation>{stream}: nichts seit {stall_s:.1f} s (prüfen Sie das Kabel, oder wecken Sie das Telefon); der Rest läuft weiter</translation>
+    </message>
+    <message>
+        <source>{stream}: {what}</source>
+        <translation>{stream}: {what}</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the wearer&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -13882,11 +13898,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{text}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{text}.</translation>
     </message>
     <message>
         <source>{text}; taps and frames could not correct it: {why}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{text}; Klopfzeichen und Bilder konnten sie nicht korrigieren: {why}.</translation>
     </message>
     <message>
         <source>{time_s:.3g} s is later than any clip</source>

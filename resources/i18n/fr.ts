@@ -1447,7 +1447,7 @@
     </message>
     <message>
         <source>A simulated ride by bicycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Une sortie à vélo simulée</translation>
     </message>
     <message>
         <source>Open a sequence…</source>
@@ -4050,15 +4050,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished"></translation>
+        <translation>Score</translation>
     </message>
     <message>
         <source>Score: {text}</source>
-        <translation type="unfinished"></translation>
+        <translation>Score&#xa0;: {text}</translation>
     </message>
     <message>
         <source>(no wording yet)</source>
@@ -4078,15 +4078,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>The questions are shown one after the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Les questions s’affichent l’une après l’autre</translation>
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Source</translation>
     </message>
     <message>
         <source>Licence</source>
-        <translation type="unfinished"></translation>
+        <translation>Licence</translation>
     </message>
     <message>
         <source>Wording</source>
@@ -4182,7 +4182,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Number that it counts as, if any</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre qu’elle vaut, le cas échéant</translation>
     </message>
     <message>
         <source>Remove this answer</source>
@@ -4190,11 +4190,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>another scale</source>
-        <translation type="unfinished"></translation>
+        <translation>autre échelle</translation>
     </message>
     <message>
         <source>another score</source>
-        <translation type="unfinished"></translation>
+        <translation>autre score</translation>
     </message>
     <message>
         <source>another question</source>
@@ -5106,55 +5106,55 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>ScoreFields</name>
     <message>
         <source>Meaning (English)</source>
-        <translation type="unfinished"></translation>
+        <translation>Signification (en anglais)</translation>
     </message>
     <message>
         <source>Made of</source>
-        <translation type="unfinished"></translation>
+        <translation>Composé de</translation>
     </message>
     <message>
         <source>Names of questions of the page, or of scores before it</source>
-        <translation type="unfinished"></translation>
+        <translation>Noms de questions de la page, ou de scores qui le précèdent</translation>
     </message>
     <message>
         <source>Sum</source>
-        <translation type="unfinished"></translation>
+        <translation>Somme</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne</translation>
     </message>
     <message>
         <source>Computed as</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcul</translation>
     </message>
     <message>
         <source>Reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>Inversées</translation>
     </message>
     <message>
         <source>Those that count from the other end of their range</source>
-        <translation type="unfinished"></translation>
+        <translation>Celles qui comptent depuis l’autre bout de leur plage</translation>
     </message>
     <message>
         <source>Factors of 1, x, x² …</source>
-        <translation type="unfinished"></translation>
+        <translation>Coefficients de 1, x, x² …</translation>
     </message>
     <message>
         <source>0, 2.5 multiplies the sum or mean by 2.5</source>
-        <translation type="unfinished"></translation>
+        <translation>0, 2.5 multiplie la somme ou la moyenne par 2,5</translation>
     </message>
     <message>
         <source>Least answers to a mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Réponses requises pour la moyenne</translation>
     </message>
     <message>
         <source>All are needed where this is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Si ce champ est vide, toutes sont nécessaires</translation>
     </message>
     <message>
         <source>Name in the data</source>
-        <translation type="unfinished">Nom dans les données</translation>
+        <translation>Nom dans les données</translation>
     </message>
 </context>
 <context>
@@ -6549,15 +6549,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Scores</source>
-        <translation type="unfinished"></translation>
+        <translation>Scores</translation>
     </message>
     <message>
         <source>Questions of a score</source>
-        <translation type="unfinished"></translation>
+        <translation>Questions d’un score</translation>
     </message>
     <message>
         <source>Counts as</source>
-        <translation type="unfinished"></translation>
+        <translation>Compte pour</translation>
     </message>
     <message>
         <source>Title</source>
@@ -9417,6 +9417,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ajoutez-en une&#xa0;: si la force et la vidéo allaient ensemble</translation>
     </message>
     <message>
+        <source>add yourself to the group {name}, log in again</source>
+        <translation>ajoutez-vous au groupe {name} et reconnectez-vous</translation>
+    </message>
+    <message>
         <source>allow rtprio {n} and memlock in /etc/security/limits.d</source>
         <translation>autorisez rtprio {n} et memlock dans /etc/security/limits.d</translation>
     </message>
@@ -9817,6 +9821,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>a des nombres en d’autres chiffres que 0 à 9 ({found})</translation>
     </message>
     <message>
+        <source>has sent no sample yet</source>
+        <translation>n’a encore envoyé aucune mesure</translation>
+    </message>
+    <message>
         <source>holds NUL bytes, as a logger leaves that loses its power</source>
         <translation>contient des octets NUL, comme en laisse un enregistreur privé de courant</translation>
     </message>
@@ -9875,6 +9883,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>in the sequence {key!r}, {one!r} and {other!r} are the same force</source>
         <translation>dans la séquence {key!r}, {one!r} et {other!r} sont la même force</translation>
+    </message>
+    <message>
+        <source>install the program again</source>
+        <translation>réinstallez le programme</translation>
     </message>
     <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
@@ -10407,6 +10419,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>scheduling</source>
         <translation>ordonnancement</translation>
+    </message>
+    <message>
+        <source>see whether it is switched on</source>
+        <translation>vérifiez qu’il est allumé</translation>
     </message>
     <message>
         <source>see whether the toy is connected and charged</source>
@@ -12754,11 +12770,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Camera and IMU have the recorder&apos;s clock, known to about {sigma_ms:.0f} ms</source>
-        <translation type="unfinished"></translation>
+        <translation>Caméra et IMU ont l’horloge de l’enregistreur, connue à environ {sigma_ms:.0f} ms près</translation>
     </message>
     <message>
         <source>Haptic experience</source>
-        <translation type="unfinished"></translation>
+        <translation>Expérience haptique</translation>
     </message>
     <message>
         <source>In Sensor Logger: Settings, Data Streaming, HTTP Push, Push URL {url}; then record Accelerometer, Gravity and Gyroscope.</source>
@@ -12766,7 +12782,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Install hapticplayer[websockets]: {how}</source>
-        <translation type="unfinished"></translation>
+        <translation>Installez hapticplayer[websockets]&#xa0;: {how}</translation>
     </message>
     <message>
         <source>Lines of CSV on standard input (`-`) or a port</source>
@@ -12774,11 +12790,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Motion sickness and vection</source>
-        <translation type="unfinished"></translation>
+        <translation>Mal des transports et vection</translation>
     </message>
     <message>
         <source>Pair of opposites</source>
-        <translation type="unfinished"></translation>
+        <translation>Paire de contraires</translation>
     </message>
     <message>
         <source>Razor-AHRS, binary</source>
@@ -12790,7 +12806,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Recorded here</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistré ici</translation>
     </message>
     <message>
         <source>Sensor Logger on a phone, which posts to this machine</source>
@@ -12806,11 +12822,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Susceptibility (MSSQ-short) and symptoms (SSQ) before, sickness (FMS) and vection after each clip, symptoms again at the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Susceptibilité (MSSQ-short) et symptômes (SSQ) avant, malaise (FMS) et vection après chaque clip, symptômes de nouveau à la fin.</translation>
     </message>
     <message>
         <source>The Haptic Experience Inventory (HXI) after each clip; its wording is to be entered from your copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le Haptic Experience Inventory (HXI) après chaque clip&#xa0;; sa formulation est à saisir d’après votre exemplaire.</translation>
     </message>
     <message>
         <source>The measurement in phyphox is started from here.</source>
@@ -12818,7 +12834,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>The recorder&apos;s clock was {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off, measured from the {witness}; this is corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’horloge de l’enregistreur était décalée de {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms), selon une mesure par {witness}&#xa0;; c’est corrigé.</translation>
     </message>
     <message>
         <source>WitMotion WT901 and others with its protocol</source>
@@ -12826,7 +12842,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>a lever arm needs a whole recording; feel the sensor where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>un bras de levier nécessite un enregistrement entier&#xa0;; ressentez le capteur là où il est</translation>
     </message>
     <message>
         <source>accel-sign=+ if it reads +1 g on the axis that is up, at rest</source>
@@ -12838,91 +12854,91 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>add yourself to the group dialout and log in again</source>
-        <translation type="unfinished"></translation>
+        <translation>ajoutez-vous au groupe dialout et reconnectez-vous</translation>
     </message>
     <message>
         <source>ask it once, or leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>posez-la une seule fois, ou omettez-la</translation>
     </message>
     <message>
         <source>begin with the line {names}, or name the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>commencez par la ligne {names}, ou nommez les colonnes</translation>
     </message>
     <message>
         <source>by the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>d’après les images</translation>
     </message>
     <message>
         <source>by the recorder&apos;s clock</source>
-        <translation type="unfinished"></translation>
+        <translation>d’après l’horloge de l’enregistreur</translation>
     </message>
     <message>
         <source>cannot be opened ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>ne peut pas être ouvert ({reason})</translation>
     </message>
     <message>
         <source>cannot be written ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>ne peut pas être écrit ({reason})</translation>
     </message>
     <message>
         <source>check its cable and its name</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez son câble et son nom</translation>
     </message>
     <message>
         <source>check its cable and record again</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez son câble et enregistrez de nouveau</translation>
     </message>
     <message>
         <source>check the cable and the name, see /dev/serial/by-id</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez le câble et le nom, voir /dev/serial/by-id</translation>
     </message>
     <message>
         <source>check the sensor&apos;s cable, power and range</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez le câble, l’alimentation et la plage du capteur</translation>
     </message>
     <message>
         <source>choose another camera or microphone, or unload and load the driver (uvcvideo with clock=CLOCK_MONOTONIC)</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez une autre caméra ou un autre microphone, ou déchargez puis rechargez le pilote (uvcvideo avec clock=CLOCK_MONOTONIC)</translation>
     </message>
     <message>
         <source>choose another format of the camera (NAME,input_format=mjpeg)</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez un autre format de la caméra (NAME,input_format=mjpeg)</translation>
     </message>
     <message>
         <source>choose its acceleration with gravity (the raw accelerometer)</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez son accélération avec la pesanteur (l’accéléromètre brut)</translation>
     </message>
     <message>
         <source>choose its acceleration with gravity, or another unit (accel-unit)</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez son accélération avec la pesanteur, ou une autre unité (accel-unit)</translation>
     </message>
     <message>
         <source>choose the folder of a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez le dossier d’un enregistrement</translation>
     </message>
     <message>
         <source>connect it again</source>
-        <translation type="unfinished"></translation>
+        <translation>rebranchez-le</translation>
     </message>
     <message>
         <source>copy {file} to /etc/udev/rules.d</source>
-        <translation type="unfinished"></translation>
+        <translation>copiez {file} dans /etc/udev/rules.d</translation>
     </message>
     <message>
         <source>copy {file} to /etc/udev/rules.d and plug it in again</source>
-        <translation type="unfinished"></translation>
+        <translation>copiez {file} dans /etc/udev/rules.d, puis rebranchez-le</translation>
     </message>
     <message>
         <source>delivers nothing more (it has ended)</source>
-        <translation type="unfinished"></translation>
+        <translation>ne fournit plus rien (flux terminé)</translation>
     </message>
     <message>
         <source>devices behind Intiface or Haply&apos;s service are not reached</source>
-        <translation type="unfinished"></translation>
+        <translation>les appareils d’Intiface ou du service de Haply sont inaccessibles</translation>
     </message>
     <message>
         <source>does not answer ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>ne répond pas ({reason})</translation>
     </message>
     <message>
         <source>does not declare {what}</source>
@@ -12930,91 +12946,91 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>enter the wording</source>
-        <translation type="unfinished"></translation>
+        <translation>saisissez la formulation</translation>
     </message>
     <message>
         <source>finish it ({line})</source>
-        <translation type="unfinished"></translation>
+        <translation>terminez-le ({line})</translation>
     </message>
     <message>
         <source>give a usual rate, such as baud=115200</source>
-        <translation type="unfinished"></translation>
+        <translation>donnez un débit courant, par exemple baud=115200</translation>
     </message>
     <message>
         <source>give its rate, such as baud=115200, and check its output</source>
-        <translation type="unfinished"></translation>
+        <translation>donnez son débit, par exemple baud=115200, et vérifiez ce qu’il envoie</translation>
     </message>
     <message>
         <source>give the one that the app shows, such as 192.168.1.20:8080</source>
-        <translation type="unfinished"></translation>
+        <translation>donnez celle que l’application affiche, par exemple 192.168.1.20:8080</translation>
     </message>
     <message>
         <source>has ended</source>
-        <translation type="unfinished"></translation>
+        <translation>s’est terminé</translation>
     </message>
     <message>
         <source>holds no video, only motion</source>
-        <translation type="unfinished"></translation>
+        <translation>ne contient pas de vidéo, seulement du mouvement</translation>
     </message>
     <message>
         <source>holds the force of a video, and no video of its name lies beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>contient la force d’une vidéo, et aucune vidéo de ce nom ne se trouve à côté</translation>
     </message>
     <message>
         <source>install hapticplayer[cameras], which reads it ({how})</source>
-        <translation type="unfinished"></translation>
+        <translation>installez hapticplayer[cameras], qui le lit ({how})</translation>
     </message>
     <message>
         <source>install hapticplayer[lsl] ({how}), or {otherwise}</source>
-        <translation type="unfinished"></translation>
+        <translation>installez hapticplayer[lsl] ({how}), ou {otherwise}</translation>
     </message>
     <message>
         <source>install hapticplayer[lsl], or choose another source</source>
-        <translation type="unfinished"></translation>
+        <translation>installez hapticplayer[lsl], ou choisissez une autre source</translation>
     </message>
     <message>
         <source>install hapticplayer[vision] ({how}), or convert it to H.264</source>
-        <translation type="unfinished"></translation>
+        <translation>installez hapticplayer[vision] ({how}), ou convertissez-la en H.264</translation>
     </message>
     <message>
         <source>install hapticplayer[vision], which synchronises without taps, finds the mounting of a sensor and suggests motion for a plain video ({how})</source>
-        <translation type="unfinished"></translation>
+        <translation>installez hapticplayer[vision], qui synchronise sans tapotements, trouve la fixation d’un capteur et propose un mouvement pour une simple vidéo ({how})</translation>
     </message>
     <message>
         <source>install hapticplayer[{name}] ({how})</source>
-        <translation type="unfinished"></translation>
+        <translation>installez hapticplayer[{name}] ({how})</translation>
     </message>
     <message>
         <source>is being recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>est en cours d’enregistrement</translation>
     </message>
     <message>
         <source>is not a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas un enregistrement</translation>
     </message>
     <message>
         <source>is not an address</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas une adresse</translation>
     </message>
     <message>
         <source>is only used with a mean of at least as many</source>
-        <translation type="unfinished"></translation>
+        <translation>ne s’emploie qu’avec une moyenne d’au moins autant de réponses</translation>
     </message>
     <message>
         <source>is to be worded</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas encore formulé</translation>
     </message>
     <message>
         <source>its experiment does not record accelerometer and gyroscope together</source>
-        <translation type="unfinished"></translation>
+        <translation>son expérience n’enregistre pas ensemble l’accéléromètre et le gyroscope</translation>
     </message>
     <message>
         <source>its time stamps are {apart_s:.1f} s from this machine&apos;s clock, so nothing could be synchronised with it</source>
-        <translation type="unfinished"></translation>
+        <translation>ses horodatages sont à {apart_s:.1f} s de l’horloge de cet ordinateur, rien ne pourrait donc être synchronisé avec lui</translation>
     </message>
     <message>
         <source>its {count} channels ({labels}) do not say which are the accelerometer&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>ses {count} canaux ({labels}) ne disent pas lesquels sont ceux de l’accéléromètre</translation>
     </message>
     <message>
         <source>lay the sensor down and let it rest for {rest_s:.1f} s</source>
@@ -13022,11 +13038,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>look at the network and its firewall</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez le réseau et son pare-feu</translation>
     </message>
     <message>
         <source>make one in phyphox: +, Add simple experiment, Accelerometer and Gyroscope, sensor rate 0 (fastest), then Allow remote access</source>
-        <translation type="unfinished"></translation>
+        <translation>créez-en une dans phyphox&#xa0;: +, «&#xa0;Add simple experiment&#xa0;», Accelerometer et Gyroscope, fréquence du capteur 0 (maximale), puis «&#xa0;Allow remote access&#xa0;»</translation>
     </message>
     <message>
         <source>move the sensor: the grip follows</source>
@@ -13034,23 +13050,23 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>name questions of the page, or scores before it</source>
-        <translation type="unfinished"></translation>
+        <translation>nommez des questions de la page, ou des scores qui le précèdent</translation>
     </message>
     <message>
         <source>name them in their order</source>
-        <translation type="unfinished"></translation>
+        <translation>nommez-les dans leur ordre</translation>
     </message>
     <message>
         <source>no reports of studies, no figures in files</source>
-        <translation type="unfinished"></translation>
+        <translation>ni rapports d’études, ni figures dans des fichiers</translation>
     </message>
     <message>
         <source>no trial is streamed to LabRecorder</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun essai n’est diffusé vers LabRecorder</translation>
     </message>
     <message>
         <source>none of its first {count} frames can be decoded</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune de ses {count} premières images ne peut être décodée</translation>
     </message>
     <message>
         <source>nothing comes from the sensor: check its cable, power, range</source>
@@ -13058,7 +13074,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>nothing is recorded; give a camera, an IMU, or both</source>
-        <translation type="unfinished"></translation>
+        <translation>rien n’est enregistré&#xa0;; donnez une caméra, une IMU, ou les deux</translation>
     </message>
     <message>
         <source>only {free_mb} MB of the disk are free</source>
@@ -13066,11 +13082,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>open an experiment in phyphox, and Allow remote access in its menu</source>
-        <translation type="unfinished"></translation>
+        <translation>ouvrez une expérience dans phyphox, puis «&#xa0;Allow remote access&#xa0;» dans son menu</translation>
     </message>
     <message>
         <source>pairs: Wilcoxon with Holm; friedman: Friedman&apos;s test; both exact to {most} participants, then approximations</source>
-        <translation type="unfinished"></translation>
+        <translation>pairs&#xa0;: Wilcoxon avec Holm&#xa0;; friedman&#xa0;: test de Friedman&#xa0;; exacts tous deux jusqu’à {most} participants, approchés au-delà</translation>
     </message>
     <message>
         <source>phyphox on a phone, which is asked</source>
@@ -13078,7 +13094,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>put the video there, or give a sequence the force (import-force)</source>
-        <translation type="unfinished"></translation>
+        <translation>mettez-y la vidéo, ou donnez la force à une séquence (import-force)</translation>
     </message>
     <message>
         <source>reading</source>
@@ -13086,67 +13102,67 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>record with a camera, or import a video with this log</source>
-        <translation type="unfinished"></translation>
+        <translation>enregistrez avec une caméra, ou importez une vidéo avec ce journal</translation>
     </message>
     <message>
         <source>recorded here</source>
-        <translation type="unfinished"></translation>
+        <translation>enregistré ici</translation>
     </message>
     <message>
         <source>rotation in the frames</source>
-        <translation type="unfinished">rotation dans les images</translation>
+        <translation>rotation dans les images</translation>
     </message>
     <message>
         <source>scale</source>
-        <translation type="unfinished"></translation>
+        <translation>échelle</translation>
     </message>
     <message>
         <source>sends acceleration from which gravity was removed</source>
-        <translation type="unfinished"></translation>
+        <translation>envoie une accélération dont la pesanteur a été retirée</translation>
     </message>
     <message>
         <source>sensor silent</source>
-        <translation type="unfinished"></translation>
+        <translation>capteur muet</translation>
     </message>
     <message>
         <source>sound is recorded with a camera; give one</source>
-        <translation type="unfinished"></translation>
+        <translation>le son s’enregistre avec une caméra&#xa0;; donnez-en une</translation>
     </message>
     <message>
         <source>standard input</source>
-        <translation type="unfinished"></translation>
+        <translation>entrée standard</translation>
     </message>
     <message>
         <source>start the program that sends it, in the same network</source>
-        <translation type="unfinished"></translation>
+        <translation>lancez le programme qui l’envoie, sur le même réseau</translation>
     </message>
     <message>
         <source>stop the recording first</source>
-        <translation type="unfinished"></translation>
+        <translation>arrêtez d’abord l’enregistrement</translation>
     </message>
     <message>
         <source>taps</source>
-        <translation type="unfinished"></translation>
+        <translation>tapotements</translation>
     </message>
     <message>
         <source>the Python package websockets is missing; install hapticplayer[websockets] ({how})</source>
-        <translation type="unfinished"></translation>
+        <translation>le paquet Python websockets manque&#xa0;; installez hapticplayer[websockets] ({how})</translation>
     </message>
     <message>
         <source>the accelerometer reads {norm_mps2:.3g} m/s2 at rest, gravity is 9.8</source>
-        <translation type="unfinished"></translation>
+        <translation>l’accéléromètre indique {norm_mps2:.3g} m/s2 au repos, la pesanteur vaut 9,8</translation>
     </message>
     <message>
         <source>the frames place the motion {off_s:+.2f} s from where the recorder&apos;s clock does</source>
-        <translation type="unfinished"></translation>
+        <translation>les images placent le mouvement à {off_s:+.2f} s de là où le place l’horloge de l’enregistreur</translation>
     </message>
     <message>
         <source>the report</source>
-        <translation type="unfinished"></translation>
+        <translation>le rapport</translation>
     </message>
     <message>
         <source>the sensor is heard less than {slow_hz:.0f} times a second and felt in jerks: set it to 100, or choose one that sends each sample at once</source>
-        <translation type="unfinished"></translation>
+        <translation>le capteur envoie moins de {slow_hz:.0f} fois par seconde et se ressent par à-coups&#xa0;: réglez-le à 100, ou choisissez-en un qui envoie chaque mesure aussitôt</translation>
     </message>
     <message>
         <source>the sign of its accelerometer</source>
@@ -13158,19 +13174,19 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the source</source>
-        <translation type="unfinished"></translation>
+        <translation>la source</translation>
     </message>
     <message>
         <source>the source sends no angular rate, without which gravity cannot be told from motion; choose one with a gyroscope</source>
-        <translation type="unfinished"></translation>
+        <translation>la source n’envoie pas de vitesse angulaire, sans laquelle la pesanteur ne se distingue pas du mouvement&#xa0;; choisissez-en une avec gyroscope</translation>
     </message>
     <message>
         <source>the stream does not answer ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>le flux ne répond pas ({reason})</translation>
     </message>
     <message>
         <source>the stream&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>les axes du flux</translation>
     </message>
     <message>
         <source>the taps are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
@@ -13202,7 +13218,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>there is no such stream</source>
-        <translation type="unfinished"></translation>
+        <translation>ce flux n’existe pas</translation>
     </message>
     <message>
         <source>there is no trial {step!r}</source>
@@ -13258,7 +13274,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>update the app, or choose another source</source>
-        <translation type="unfinished"></translation>
+        <translation>mettez l’application à jour, ou choisissez une autre source</translation>
     </message>
     <message>
         <source>use &apos;repeats&apos;</source>
@@ -13297,10 +13313,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>attendez qu’il ait fini, ou fermez-le, puis réessayez</translation>
     </message>
     <message>
-        <source>wake the phone, look at its app and at the network, and try again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>was changed by another program meanwhile</source>
         <translation>a été modifié entre-temps par un autre programme</translation>
     </message>
@@ -13318,7 +13330,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>was not finished</source>
-        <translation type="unfinished"></translation>
+        <translation>n’a pas été terminé</translation>
     </message>
     <message>
         <source>was shared without its motion, so its force cannot be rendered again</source>
@@ -13326,7 +13338,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>was unplugged or closed</source>
-        <translation type="unfinished"></translation>
+        <translation>a été débranché ou fermé</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -13390,7 +13402,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>without labels</source>
-        <translation type="unfinished"></translation>
+        <translation>sans libellés</translation>
     </message>
     <message>
         <source>write numbers without units or signs, or choose another log</source>
@@ -13434,7 +13446,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>x right, y front, z up, as printed on it</source>
-        <translation type="unfinished"></translation>
+        <translation>x à droite, y en avant, z en haut, comme imprimé dessus</translation>
     </message>
     <message>
         <source>yes</source>
@@ -13530,7 +13542,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{how} ({size} MB)</source>
-        <translation type="unfinished"></translation>
+        <translation>{how} ({size} Mo)</translation>
     </message>
     <message>
         <source>{how}; or {others}</source>
@@ -13594,11 +13606,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{name!r} is asked for each feedback</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} est demandé pour chaque retour</translation>
     </message>
     <message>
         <source>{name!r} is not a number that is known there</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} n’est pas un nombre connu à cet endroit</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -13606,7 +13618,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{name!r} is not in &apos;of&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} n’est pas dans «&#xa0;of&#xa0;»</translation>
     </message>
     <message>
         <source>{name!r} is the name of a condition; choose another name</source>
@@ -13802,7 +13814,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{purpose} needs {packages}, which this installation lacks</source>
-        <translation type="unfinished"></translation>
+        <translation>{purpose} nécessite {packages}, qui manque à cette installation</translation>
     </message>
     <message>
         <source>{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz</source>
@@ -13810,11 +13822,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{rate} samples per second are set in the sensor and kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>{rate} mesures par seconde sont réglées dans le capteur et conservées.</translation>
     </message>
     <message>
         <source>{reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>{reason}</translation>
     </message>
     <message>
         <source>{reason}; the copy in the journal was used</source>
@@ -13834,15 +13846,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{source} cannot send {rate} samples per second at {baud} baud; set it to 115200 baud with its maker&apos;s program, and give baud=115200</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} ne peut pas envoyer {rate} mesures par seconde à {baud} bauds&#xa0;; réglez-le à 115200 bauds avec le programme du fabricant, et donnez baud=115200</translation>
     </message>
     <message>
         <source>{source} does not understand {part!r}; give each of {known} once, such as {name}=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} ne comprend pas {part!r}&#xa0;; donnez chacun de {known} une seule fois, par exemple {name}=VALUE</translation>
     </message>
     <message>
         <source>{source} needs a place; give one, such as {option} {source}:{example}</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} a besoin d’une connexion&#xa0;; donnez-en une, par exemple {option} {source}:{example}</translation>
     </message>
     <message>
         <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it</source>
@@ -13850,7 +13862,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{source}: {question} Allow it with {option} {source}:{text},allow=yes</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}&#xa0;: {question} Autorisez-le avec {option} {source}:{text},allow=yes</translation>
     </message>
     <message>
         <source>{stream}: is back</source>
@@ -13859,6 +13871,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{stream}: nothing for {stall_s:.1f} s (check the cable, or wake the phone up); the rest goes on</source>
         <translation>{stream}&#xa0;: rien depuis {stall_s:.1f} s (vérifiez le câble, ou réveillez le téléphone)&#xa0;; le reste continue</translation>
+    </message>
+    <message>
+        <source>{stream}: {what}</source>
+        <translation>{stream}&#xa0;: {what}</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the wearer&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -13882,11 +13898,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{text}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{text}.</translation>
     </message>
     <message>
         <source>{text}; taps and frames could not correct it: {why}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{text}&#xa0;; tapotements et images n’ont pas pu la corriger&#xa0;: {why}.</translation>
     </message>
     <message>
         <source>{time_s:.3g} s is later than any clip</source>
