@@ -20,7 +20,7 @@ from app.experimenter.record_take import TakeView
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.job_dialog import JobDialog
-from app.widgets.layout import STRETCH, column_of, paragraph, row_of
+from app.widgets.layout import STRETCH, column_of, paragraph, read_in_order, row_of
 from app.widgets.messages import JobRow
 from app.widgets.texts import capitalised
 from hapticplayer.capture.choices import LogChoices, LogQuestion, parse_choices
@@ -288,6 +288,7 @@ class RecordPage(JobDialog):
             raise problem
         if isinstance(problem, LogQuestion):
             self.question.ask(problem)
+            read_in_order(self)
         elif self._asked is not None:
             self._ask_for_leave(self._asked)
         else:

@@ -39,7 +39,7 @@ def add_actions(actions: Any) -> None:
     )
     adding.add_argument(
         "--key",
-        help="of the page, and before the names of its columns (default: the scale's)",
+        help="name of the page, and the beginning of its columns (default: the scale's)",
     )
     adding.set_defaults(run=lambda chosen, _open_window: add(chosen))
 

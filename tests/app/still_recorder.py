@@ -16,6 +16,9 @@ TIME_S = np.arange(0.0, 8.0, 0.01)
 SWAYING = np.stack(
     [2.0 * np.sin(3 * TIME_S), np.cos(5 * TIME_S), 9.8 + 0 * TIME_S], axis=1
 )
+_SILENT = Message(
+    "{stream}: nothing for {stall_s:.1f} s; the rest goes on", stream="imu", stall_s=0.5
+)
 STATE = RecorderState(
     elapsed_s=8.0,
     frame=np.full((90, 160, 3), (20, 120, 220), np.uint8),
@@ -32,7 +35,7 @@ STATE = RecorderState(
     gaps=(Gap("imu", 3.0, 3.5, 50),),
     marks_s=(4.0,),
     free_bytes=12_300_000_000,
-    notices=(Message("imu: nothing for 0.5 s; the rest goes on"),),
+    notices=(_SILENT,),
     is_over=False,
 )
 

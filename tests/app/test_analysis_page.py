@@ -47,7 +47,7 @@ def test_the_report_is_shown_with_its_figures_and_can_be_saved(
     assert "6 participants" in shown
     assert "ready for publication" in page.note.text()
     assert "Kendall's W" in shown
-    assert shown.count("\ufffc") == 2  # an embedded picture
+    assert shown.count("\ufffc") == 3  # an embedded picture
     page.resize(800, 600)
     wait_for(lambda: page.text.horizontalScrollBar().maximum() == 0)
     page.save(tmp_path / "report")
@@ -91,7 +91,7 @@ def test_the_menu_opens_the_report_with_what_was_added(
     shown = page.text.toPlainText()
     for text in ("6 participants", "Number of answers", "7.5"):
         assert text in shown
-    assert shown.count("\ufffc") == 2
+    assert shown.count("\ufffc") == 3
     assert not report.messages.isVisible()
     for action in window.menuBar().actions():
         if action.text() == "&Study":

@@ -81,6 +81,9 @@ class WildTrack:
     def force_at(self, media_s):
         return next(self._forces)
 
+    def is_silent(self, now_s):
+        return False
+
 
 @pytest.mark.parametrize("kind", ["forces", "positions", "clocks", "all"])
 def test_whatever_comes_a_tick_sends_nothing_that_is_forbidden(rng, kind):

@@ -146,7 +146,10 @@ SPOILT = [
     (lambda d: d["pages"][1].update(questions=[]), "pages[1].questions: must have"),
     (lambda d: d["pages"][1].update(key="sheet"), "pages[1].key: duplicate key"),
     (lambda d: d["pages"][1].update(key="trial-1"), "pages[1].key: 'trial-1' is the"),
-    (lambda d: d["pages"][1].update(when="later"), "one of before, after-clip, after"),
+    (
+        lambda d: d["pages"][1].update(when="later"),
+        "one of before, before-clip, after-clip, after",
+    ),
     (lambda d: d["pages"][1].update(replays=True), "pages[1].replays: is only used"),
     (lambda d: d["pages"][1].update(text={"en": "x"}), "pages[1].text"),
     (lambda d: first(d, 1).update(key="age"), "pages[1].questions[0].key: duplicate"),
