@@ -4,6 +4,7 @@ One is the other's witness: with other axes, another scale or another clock of t
 less velocity may be left in windows that neither gravity nor the sensors' errors explain.
 """
 
+import dataclasses
 import itertools
 import math
 from typing import NamedTuple
@@ -19,7 +20,8 @@ from hapticplayer.model.limits import are_gaps
 # Gyros are compared in windows, by the velocity that nothing explains: neither gravity, nor
 # the errors of the sensors, nor a vehicle that moves along its own axes, nor an arm.
 WINDOW_S, SHORTEST_WINDOW_S = 8.0, 2.0
-FEW_WINDOWS = 8
+# Windows may have so much more invalid than the one that has least.
+FEW_WINDOWS, MORE_FILLED = 8, 0.01
 STEP_S = 0.08
 # What spins turns too far in such a step.
 SPINNING_RMS_RADPS, SHORT_STEP_S = 6.0, 0.02
@@ -30,13 +32,16 @@ GRAVITY_SIGMA_MPS2 = 0.03 * STANDARD_GRAVITY_MPS2
 VEHICLE_SIGMA_MPS, ARM_SIGMA_M = 8.0, 0.7
 # Velocities below this are vibration, hands and noise, and no evidence.
 VELOCITY_FLOOR_MPS = 0.3
+# What another clock explains falsely, as of a running hand, leaves far more than this, while
+# a right one may leave little; so a clock is told from smaller ones.
+CLOCK_FLOOR_MPS = 0.1
 # The accelerometer bears witness to a gyro that turns gravity by so much.
 LEAST_TURN_RAD = 0.1
 # Signs that explain a rate so much better than another unit are what is wrong.
 SURELY_AXES = 1.0
 # The least evidence against a gyro as it is, less that of one window. Right recordings with
 # optical truth and simulated rides, in parts of 10 s to the whole, show in 20 s -0.6 for
-# other axes and -0.9 for other clocks; for other scales -1.5, as what swings keeps the force
+# other axes and -1.1 for other clocks; for other scales -1.5, as what swings keeps the force
 # in place, and what rotates fast averages the acceleration of a car. None is 57 times as fast.
 AXES_IN_DOUBT, CLOCK_IN_DOUBT, OF_ONE_WINDOW = -0.6, -0.95, 0.8
 SCALE_IN_DOUBT, DOUBLED_IN_DOUBT, DEGREES_IN_DOUBT = -1.8, -0.9, -0.1
@@ -77,7 +82,7 @@ class RotationWindows:
         specific_force_mps2: (N, 3) finite.
         angular_rate_radps: (N, 3) finite.
         number: of the parts at most; they overlap by half.
-        valid: (N,) False where no sensor has read anything, or None.
+        valid: (N,) False where no sensor has read anything, or None; windows have few.
     """
 
     def __init__(
@@ -98,8 +103,13 @@ class RotationWindows:
         self.is_empty = span_s < SHORTEST_WINDOW_S or length < 2 * step
         if self.is_empty:
             return
-        number = min(number, max(1, 2 * (len(time_s) - 1) // length - 1))
-        starts = np.linspace(1, len(time_s) - length, number).astype(int)
+        # where a sensor is stuck it bears no witness; single samples are filled in
+        invalid = np.zeros(len(time_s)) if valid is None else ~valid
+        before = np.append(0, np.cumsum(invalid))
+        count = before[length + 1 :] - before[1:-length]
+        possible = 1 + np.flatnonzero(count <= count.min() + MORE_FILLED * length)
+        number = min(number, max(1, 2 * (len(possible) + length - 1) // length - 1))
+        starts = possible[np.linspace(0, len(possible) - 1, number).astype(int)]
         self._rows = starts[:, None] + np.arange(length)
         # a gap counts as one interval
         held_s = np.diff(time_s)[self._rows - 1]
@@ -143,11 +153,12 @@ class RotationWindows:
 
     def evidence_of_delays(self, delays_s: Floats) -> Floats:
         """The same of times of the rate that are late by delays (D,)."""
-        return self._evidence(np.array([self._delayed(one) for one in delays_s]))
+        angle = np.array([self._delayed(one) for one in delays_s])
+        return self._evidence(angle, CLOCK_FLOOR_MPS)
 
-    def _evidence(self, angle: Floats) -> Floats:
-        given = self._given.left_mps2
-        return np.asarray(np.log(self._explained(angle).left_mps2 / given))
+    def _evidence(self, angle: Floats, floor_mps: float = VELOCITY_FLOOR_MPS) -> Floats:
+        left, given = self._explained(angle).left_mps2, self._given.left_mps2
+        return np.asarray(np.log((left + floor_mps**2) / (given + floor_mps**2)))
 
     def least(self, evidence: float) -> float:
         """What is asked for of so many windows."""
@@ -160,7 +171,7 @@ class RotationWindows:
 
     def most_evidence(self) -> float:
         """The most that there can be against the rate, if another one explained all."""
-        return math.log(VELOCITY_FLOOR_MPS**2 / float(self._given.left_mps2))
+        return -math.log1p(float(self._given.left_mps2) / VELOCITY_FLOOR_MPS**2)
 
     def turn_rad(self) -> float:
         """The largest angle by which the rate, without its bias, turns a direction."""
@@ -219,7 +230,7 @@ def doubt_about(imu: ImuLog) -> Doubt | None:
     if windows.is_empty or windows.most_evidence() > DEGREES_IN_DOUBT:
         return None
     scale = _of_scale(windows, is_unseen=unseen_turn_rad(imu) > 0.0)
-    doubts = [scale, _of_clock(windows), _of_axes(windows)]
+    doubts = [scale, _of_clock(imu, windows), _of_axes(windows)]
     found = [one for one in doubts if one is not None]
     return min(found, key=_rank, default=None)
 
@@ -269,14 +280,24 @@ def _of_scale(windows: RotationWindows, *, is_unseen: bool) -> Doubt | None:
     return Doubt(found[best], scale=usual[0] if usual else float(f"{fine:.2g}"))
 
 
-def _of_clock(windows: RotationWindows) -> Doubt | None:
+def _of_clock(imu: ImuLog, windows: RotationWindows) -> Doubt | None:
     delays_s = np.concatenate([DELAYS_S, -DELAYS_S])
     best_s = delays_s[windows.evidence_of_delays(delays_s).argmin()]
     delays_s = best_s + DELAYS_BETWEEN_S
+    windows = _reached(imu, float(np.abs(delays_s).max()))
     found = windows.evidence_of_delays(delays_s)
     best = int(found.argmin())
     doubt = Doubt(float(found[best]), delay_s=round(float(delays_s[best]), 2))
     return doubt if doubt.evidence < windows.least(CLOCK_IN_DOUBT) else None
+
+
+def _reached(imu: ImuLog, delay_s: float) -> RotationWindows:
+    """Windows that a gyro reaches, or most of them, if its times are off by so much."""
+    begin_s, end_s = imu.time_s[[0, -1]]
+    inside = (imu.time_s >= begin_s + delay_s) & (imu.time_s <= end_s - delay_s)
+    if imu.valid is not None:
+        inside &= imu.valid
+    return windows_of(dataclasses.replace(imu, valid=inside))
 
 
 def _of_axes(windows: RotationWindows) -> Doubt | None:
@@ -332,7 +353,7 @@ class _Explained(NamedTuple):
     """What a rotation leaves of the velocity.
 
     Attributes:
-        left_mps2: (...) mean square of the velocity that nothing explains, and the floor.
+        left_mps2: (...) mean square of the velocity that nothing explains.
         seen: (..., B, K, 3) specific force times duration in a frame that does not rotate.
     """
 
@@ -361,7 +382,7 @@ def _explained(impulse: Floats, angle: Floats, step_s: Floats) -> _Explained:
     turns = angle - bias[..., None, None, :] * step_s
     design, velocity, seen = _equations(impulse, turns, step_s)
     left, _ = _solved(design, velocity, seen, bias)
-    return _Explained(left + VELOCITY_FLOOR_MPS**2, seen)
+    return _Explained(left, seen)
 
 
 def _equations(

@@ -191,6 +191,13 @@ def test_mirror_images_that_fit_are_named_beside_rotations():
     assert answers[-1].startswith("rate-axes=x,y,z to keep")
 
 
+def test_samples_that_were_filled_in_hide_nothing():
+    imu = pendulum(-np.eye(3))
+    filled = replace(imu, valid=np.arange(len(imu)) % 97 > 0)
+    with pytest.raises(LogQuestion, match="does not match that of gravity"):
+        ask_about_agreement(filled, parse_choices([]), "x")
+
+
 def test_a_scale_is_told_in_the_unit_that_was_declared(tmp_path):
     _, path = told("own CSV", tmp_path, lambda made: made)
     with pytest.raises(LogQuestion, match="57 times too low") as asked:

@@ -2,22 +2,35 @@
 
 from functools import cache
 
+import msgspec
 import numpy as np
 import pytest
 
 from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.choices import KEYS, LogChoices, parse_choices
 from hapticplayer.capture.reading import find_format
+from hapticplayer.capture.recorded import LOG, RECORDING, SourceClockLine, Take
 from hapticplayer.capture.source import open_source
 from hapticplayer.errors import HapticPlayerError
 from tests.faults.import_cases import check_sentence
-from tests.faults.import_formats import FORMATS, put
+from tests.faults.import_formats import FORMATS as LOGGED
+from tests.faults.import_formats import Written, own_csv, put
 from tests.faults.import_signal import sample
 from tests.needed_extras import needs
 from tests.unit.capture.conftest import DATA
 
 pytestmark = needs("loggers")
 
+
+def recorded_here(made):
+    """A folder of the recorder without its clip."""
+    clock = SourceClockLine(0.2, 1.0, 0.002)
+    take = Take(began="2026-11-27T15:00:00+00:00", is_finished=True, clock=clock)
+    (log,) = own_csv(made).values()
+    return {LOG: log, RECORDING: msgspec.json.encode(take)}
+
+
+FORMATS = {**LOGGED, "recorded here": Written("recorded here", recorded_here)}
 ANSWERS = {  # none of which leaves any of these logs as it is
     "columns": "time,ay,ax,az,gx,gy,gz",
     "time-unit": "ms",
