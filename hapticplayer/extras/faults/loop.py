@@ -22,6 +22,9 @@ class _NonFiniteTrack:
         """A track that no check at load can have let through."""
         return _NANS
 
+    def is_silent(self, _now_s: float) -> bool:
+        return False
+
 
 class FaultyLoop(Loop):
     """Injects each requested fault once, as soon as a force may be on."""
