@@ -46,12 +46,18 @@ MICROPHONE = (
 )
 
 
+def roll_rad(wall_s):
+    return sum(a * np.sin(2 * np.pi * hz * np.asarray(wall_s)) for a, hz in TURNS)
+
+
 def rolled(wall_s):
-    """Acceleration and rate (n, 6) of a board that rolls as the frames do."""
-    wall_s = np.asarray(wall_s)
-    angle = sum(a * np.sin(2 * np.pi * hz * wall_s) for a, hz in TURNS)
-    rate = sum(2 * np.pi * hz * a * np.cos(2 * np.pi * hz * wall_s) for a, hz in TURNS)
-    zero = 0.0 * wall_s
+    """Acceleration and rate (n, 6) of a board that rolls as the frames do.
+
+    Its gyro integrates: a rate is the mean since the sample before.
+    """
+    angle = roll_rad(wall_s)
+    rate = RATE_HZ * (angle - roll_rad(np.asarray(wall_s) - 1.0 / RATE_HZ))
+    zero = 0.0 * angle
     accel = [-9.80665 * np.sin(angle), zero, 9.80665 * np.cos(angle)]
     return np.column_stack([*accel, zero, rate, zero])
 

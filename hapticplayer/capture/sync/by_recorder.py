@@ -21,13 +21,15 @@ _NEAR_S = 0.15  # of a recorder's clock: a camera's exposure and a link's least 
 def corrected(inputs: SyncInput) -> Synchronisation:
     """A recorder's clock, whose constant taps correct, else the frames.
 
-    Taps are looked for near it only. Frames that are sure of another place contradict it.
+    Taps are looked for near it only; it decides between places that frames fit alike.
+    Frames that are sure of another place contradict it.
     """
     own, lag = inputs.own, inputs.lag
     assert own is not None
     assert lag is not None
     reach_s = _NEAR_S + MOST_SIGMAS * lag.sigma_s
-    found, unheard = tried(by_pats, inputs._replace(near_s=reach_s))
+    inputs = inputs._replace(near_s=reach_s)
+    found, unheard = tried(by_pats, inputs)
     unseen: InputError | None = None
     if (found is None or not found.is_confident) and inputs.look is not None:
         found, unseen = tried(sync_method("frames").function(), inputs)

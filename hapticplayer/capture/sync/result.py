@@ -62,7 +62,8 @@ class SyncInput(NamedTuple):
         lag: of the recording's own clock, as far as it is known.
         contradiction: why the own clock cannot be believed by itself; "" if it can.
         others: places by other sources than the own clock.
-        near_s: taps are looked for no farther from the own clock than that; None: anywhere.
+        near_s: how far from the own clock the truth may be, for taps and for frames that
+            fit several places; None: anywhere.
     """
 
     imu: ImuLog

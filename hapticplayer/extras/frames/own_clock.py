@@ -185,9 +185,23 @@ def by_frames(inputs: SyncInput) -> Synchronisation:
         raise UsageError("the method frames needs a clip")
     refuse_without_gyro(inputs.imu)
     is_own = inputs.own is not None
-    found = synchronize_frames(inputs.imu, inputs.look(), is_own=is_own)
+    frames = inputs.look()
+    near_s = _shifts_near(inputs, frames)
+    found = synchronize_frames(inputs.imu, frames, is_own=is_own, near_s=near_s)
     lag = inputs.lag
     if lag is None or lag.is_measured or not found.is_confident:
         return found
     lag = lag_by_frames(found)
     return dataclasses.replace(found, lag=lag if abs(lag.lag_s) < MOST_LAG_S else None)
+
+
+def _shifts_near(
+    inputs: SyncInput, frames: FrameRotation
+) -> tuple[float, float] | None:
+    """Log less media time in the middle of the frames, as far as the own clock is known."""
+    own, reach_s = inputs.own, inputs.near_s
+    if own is None or reach_s is None or not len(frames):
+        return None
+    media_s = 0.5 * float(frames.begin_s[0] + frames.end_s[-1])
+    shift_s = (media_s - own.offset_s) / own.rate - media_s
+    return shift_s - reach_s, shift_s + reach_s

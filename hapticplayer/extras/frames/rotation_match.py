@@ -22,6 +22,7 @@ from hapticplayer.model.limits import are_gaps
 
 HIGH_PASS_HZ = 0.4
 LEAST_OVERLAP_S = 6.0
+ANYWHERE = (-np.inf, np.inf)
 
 _EDGE_S = 0.01  # of the integral; what turns faster, no frame shows
 _COARSE_STEP_S = 0.017  # between shifts that are compared at first
@@ -220,9 +221,11 @@ def _gains(camera_rad: Floats, turned: Floats, weight: Floats) -> Floats:
     return np.asarray(np.clip(gains, *_FOCAL_GAINS))
 
 
-def candidates(watched: Watched, gyro: Gyro) -> list[RotationFit]:
-    """Return the shifts at which frames and gyro fit best, best first."""
-    fits = [_refined(watched, gyro, shift_s) for shift_s in _coarse(watched, gyro)]
+def candidates(
+    watched: Watched, gyro: Gyro, near_s: tuple[float, float] = ANYWHERE
+) -> list[RotationFit]:
+    """Return the shifts between two at which frames and gyro fit best, best first."""
+    fits = [_refined(watched, gyro, one) for one in _coarse(watched, gyro, near_s)]
     fits.sort(key=lambda fit: fit.unexplained)
     kept: list[RotationFit] = []
     for fit in fits:
@@ -241,8 +244,8 @@ def _refined(watched: Watched, gyro: Gyro, shift_s: float) -> RotationFit:
     return best
 
 
-def _coarse(watched: Watched, gyro: Gyro) -> list[float]:
-    """Return the peaks of the correlation over all shifts, whatever the axes."""
+def _coarse(watched: Watched, gyro: Gyro, near_s: tuple[float, float]) -> list[float]:
+    """Return the peaks of the correlation between two shifts, whatever the axes."""
     step_s = watched.step_s
     begin_s = float(watched.begin_s[0])
     cell = np.round((watched.begin_s - begin_s) / step_s).astype(np.intp)
@@ -257,7 +260,8 @@ def _coarse(watched: Watched, gyro: Gyro) -> list[float]:
         lags, score = _correlation(camera, gyro, first_s, step_s)
         shifts_s.append(first_s + lags * step_s - begin_s)
         scores.append(score)
-    return _peaks(np.concatenate(shifts_s), np.concatenate(scores))
+    at_s, score = np.concatenate(shifts_s), np.concatenate(scores)
+    return _peaks(at_s, np.where((at_s >= near_s[0]) & (at_s <= near_s[1]), score, 0.0))
 
 
 def _correlation(

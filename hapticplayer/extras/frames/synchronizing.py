@@ -71,7 +71,11 @@ def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:
 
 
 def synchronize_frames(
-    imu: ImuLog, frames: FrameRotation, *, is_own: bool = False
+    imu: ImuLog,
+    frames: FrameRotation,
+    *,
+    is_own: bool = False,
+    near_s: tuple[float, float] | None = None,
 ) -> Synchronisation:
     """Return the clock map of the log to the frames; confidence 0 if nothing fits.
 
@@ -79,6 +83,8 @@ def synchronize_frames(
         imu: the log, with a gyro; its axes may be any.
         frames: rotation of the clip, from `rotation.rotation`.
         is_own: whether the log is known to be the clip's own.
+        near_s: least and largest shift, log time less media time, that a clock which both
+            share allows; they decide between places that fit about as well.
     """
     watched = usable(imu, frames)
     gyro = Gyro(imu)
@@ -87,6 +93,11 @@ def synchronize_frames(
         return Synchronisation(ClockMap(confidence=0.0), "frames")
     line = fit_line(watched, gyro, fits[0])
     found = finding(fits, line, frames.kind, is_own=is_own)
+    if near_s is not None and not found.is_confident:
+        here = candidates(watched, gyro, near_s)
+        if here and here[0].unexplained < _MARGIN * fits[0].unexplained:
+            line = fit_line(watched, gyro, here[0])
+            found = finding(here, line, frames.kind, is_own=is_own)
     if not found.is_confident:
         return found
     if _is_cut(frames, gyro, line):

@@ -255,6 +255,29 @@ def test_same_bend_of_another_ride_is_not_believed(seed) -> None:
     assert "one axis" in other.frames.doubt
 
 
+class Swing(Ride):
+    """The same swing again and again, as a test camera or a person who nods."""
+
+    def angles(self, time_s: np.ndarray) -> np.ndarray:
+        """(N, 3) rad, about one axis; it repeats after 2.5 s but for a little."""
+        swing = 0.3 * np.sin(2 * np.pi * 0.4 * time_s) + 0.02 * np.sin(time_s)
+        return swing[:, None] * np.array([0.0, 1.0, 0.0])
+
+
+@pytest.mark.parametrize(
+    ("known_s", "is_sure"), [(None, False), (0.02, True), (0.6, False)]
+)
+def test_the_recorders_clock_decides_between_equal_swings(known_s, is_sure) -> None:
+    near_s = None if known_s is None else (known_s - 0.15, known_s + 0.15)
+    imu = Swing(1).log(ClockMap())
+
+    found = synchronize_frames(imu, Swing(1).frames(), is_own=True, near_s=near_s)
+
+    assert found.is_confident == is_sure
+    if is_sure:
+        assert abs(error_s(found, ClockMap())) < 0.002
+
+
 def test_a_bend_is_enough_for_the_own_log_of_a_clip() -> None:
     frames, imu = Bend(1).frames(), Bend(1).log(ClockMap())
     near = frames.select((frames.begin_s >= 8.0) & (frames.end_s <= 16.0))
