@@ -50,7 +50,7 @@ from hapticplayer.study.session_setup import (
     load_study_sources,
     make_stage,
 )
-from hapticplayer.study.streams import Observer, open_stream
+from hapticplayer.study.streams import StudyStream, Wanted, open_stream
 from hapticplayer.study.study_folder import Study, begin_session, open_study
 from hapticplayer.study.ticks import next_record
 
@@ -72,7 +72,7 @@ class StudySession:
         clock: Clock,
         *,
         audio: AudioFactory | None = SoundProcess,
-        observer: Observer | None = None,
+        observer: StudyStream | None = None,
     ) -> None:
         self.study, self.study_sources, self.outputs = study, study_sources, outputs
         self.runner: SessionRunner | None = None
@@ -236,6 +236,8 @@ class StudySession:
             session = begin_session(
                 self.study, language, self.study_sources.clips, self._clock
             )
+        if self._observer is not None:
+            self._observer.begin(session)
         record = next_record(session.folder) if self.outputs else None
         self.player.set_outputs(self.outputs, record)
         self.player.wait_ready()
@@ -323,7 +325,9 @@ def run(options: argparse.Namespace) -> int:
     try:
         study = open_study(options.study)
         study_sources = load_study_sources(study)
-        streams = open_stream("lsl") if options.lsl or study.definition.lsl else None
+        of = study.definition
+        wanted = Wanted(of.needed_streams, of.lab_recorder)
+        streams = open_stream("lsl", wanted) if options.lsl or of.lsl else None
         settings = Settings(default_path())
         application = make_application(settings)
         session = StudySession(

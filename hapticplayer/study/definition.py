@@ -364,6 +364,8 @@ class Definition(JsonObject, frozen=True):
         use_published: show the published wording where there is one.
         operator_is_blind: hide the condition from the operator.
         lsl: offer markers and force as LSL streams.
+        needed_streams: LSL streams of other programs without which no trial begins.
+        lab_recorder: start and stop LabRecorder; no trial begins unless it records.
         order, limits, checks: see there.
     """
 
@@ -385,6 +387,8 @@ class Definition(JsonObject, frozen=True):
     levels: Several[ForceLevel] = ()
     repeats: Annotated[int, Meta(ge=1, le=100)] = 1
     lsl: bool = False
+    needed_streams: Several[Line] = ()
+    lab_recorder: bool = False
     schema: str = SCHEMA
     version: int = VERSION
 

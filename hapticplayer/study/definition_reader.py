@@ -230,6 +230,9 @@ def _unused(made: Definition) -> Iterator[Fault]:
             if getattr(made, name) != unused:
                 what = Message("is not used in {kind} trials", kind=made.trial.value)
                 yield name, what, _REMOVE
+    for name in () if made.lsl else ("needed_streams", "lab_recorder"):
+        if getattr(made, name):
+            yield name, Message("is only used with LSL"), Message("set 'lsl' to true")
     if len(set(made.levels)) < len(made.levels):
         yield "levels", Message("holds a level twice"), Message("use 'repeats'")
     for number, page in enumerate(made.pages):

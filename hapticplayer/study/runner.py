@@ -239,6 +239,7 @@ class SessionRunner:
             self._expect(PageKind.READY)
             if self._is_held():
                 return
+            self._markers.check()
             self._attempts[self.step] += 1
             self._store("trial-begin", self._play, **self._step_name())
 

@@ -10,6 +10,7 @@ from hapticplayer import extension
 from hapticplayer.errors import StudyError
 from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import JournalRecord
+from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import FIRST_FRAME, MARKED, marker_text
 
 
@@ -24,9 +25,15 @@ class Observer(Protocol):
     ) -> None:
         """Receive forces (N, 3) sent to the device, with their times (N,), s."""
 
+    def check(self) -> None:
+        """Raise StudyError why a trial may not begin."""
+
 
 class StudyStream(Observer, Protocol):
     """An observer that is open until `close`."""
+
+    def begin(self, session: StoredSession) -> None:
+        """Prepare for a session, before anything happens in it."""
 
     def close(self) -> None:
         """End the stream."""
@@ -52,9 +59,21 @@ class Markers:
             self._begun = (step, attempt)
             self.mark(marker_text(step, FIRST_FRAME, self._order), shown_s)
 
+    def check(self) -> None:
+        if self._observer is not None:
+            self._observer.check()
+
     def mark(self, text: str, monotonic_s: float) -> None:
         if self._observer is not None:
             self._observer.marker(text, monotonic_s)
+
+
+class Wanted(NamedTuple):
+    """What has to be there besides: names of streams, a recorder, its port."""
+
+    streams: tuple[str, ...] = ()
+    recorder: bool = False
+    port: int = 22345
 
 
 class StreamKind(NamedTuple):
@@ -62,18 +81,18 @@ class StreamKind(NamedTuple):
 
     Attributes:
         name: of an option and in the definition of a study.
-        home: "module:function", called without arguments, returns a `StudyStream`.
+        home: "module:function", called with `Wanted`, returns a `StudyStream`.
     """
 
     name: str
     home: str
 
 
-def open_stream(name: str) -> StudyStream:
+def open_stream(name: str, wanted: Wanted) -> StudyStream:
     """A stream of that kind."""
     for kind in extension.rows("study_streams", StreamKind):
         if kind.name == name:
-            return cast(StudyStream, extension.load(kind.home)())
+            return cast(StudyStream, extension.load(kind.home)(wanted))
     raise StudyError(
         "this installation has no streams of the kind {name!r}; leave them out",
         name=name,

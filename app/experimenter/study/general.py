@@ -38,6 +38,11 @@ class GeneralFields(Fields):
             ),
             ("lsl",),
         )
+        self.check(self.tr("Record each session with LabRecorder"), ("lab_recorder",))
+        self.listed(
+            self.tr("LSL streams that each trial needs"),
+            ("needed_streams",),
+        )
         self._fill_checks()
         self._fill_limits()
         self.whole(paragraph(self.unchanged(), theme.DIM))

@@ -17,7 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.extras.research.recorder import LabRecorder
 from hapticplayer.installation import how_to_get
+from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.streams import Wanted
 
 MARKERS, FORCE = "hapticplayer-markers", "hapticplayer-force"
 FORCE_RATE_HZ = 1000.0
@@ -33,27 +36,37 @@ ListenAddress = 127.0.0.1
 level = -3
 """
 _WITHOUT = Message("leave LSL out")
+_NOTHING = Wanted()
 
 
 class LslStreams:
-    """The two streams of a session, until `close`; an `Observer`.
+    """The two streams of a session, until `close`; a `StudyStream`.
+
+    Args:
+        wanted: what else of the network has to be there.
 
     Raises:
-        StudyError: when pylsl is missing, or a stream would be open to the network.
+        StudyError: when pylsl or LabRecorder is missing, or a stream would be open to
+            the network.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, wanted: Wanted = _NOTHING) -> None:
         library = _library()
+        self._needed, self._resolver = wanted.streams, None
         with _bound_to_loopback():
             try:
                 self._markers = library.StreamOutlet(_markers(library), 0, _KEPT_S)
                 self._force = library.StreamOutlet(_force(library), 0, _KEPT_S)
+                if self._needed:
+                    self._resolver = library.ContinuousResolver()
             except RuntimeError as problem:
                 raise StudyError(
                     "LSL streams cannot be opened ({reason})",
                     remedy=_WITHOUT,
                     reason=problem,
                 ) from problem
+
+        self._recorder = LabRecorder(wanted.port) if wanted.recorder else None
 
     def marker(self, text: str, monotonic_s: float) -> None:
         self._markers.push_sample([text], monotonic_s)
@@ -67,9 +80,32 @@ class LslStreams:
                 np.ascontiguousarray(force_n, dtype=np.float32), monotonic_s.tolist()
             )
 
+    def begin(self, session: StoredSession) -> None:
+        """Record a session, if that is wanted."""
+        if self._recorder is not None:
+            self._recorder.begin(session)
+
+    def check(self) -> None:
+        """Raise StudyError if a needed stream is missing, or nothing is recorded."""
+        if missing := set(self._needed) - self.names_found():
+            raise StudyError(
+                "these LSL streams are not on this computer: {names}",
+                remedy="start them, then begin the trial again",
+                names=", ".join(sorted(missing)),
+            )
+        if self._recorder is not None:
+            self._recorder.check()
+
+    def names_found(self) -> set[str]:
+        """The streams on this computer, where some are needed."""
+        found = self._resolver.results() if self._resolver is not None else ()
+        return {one.name() for one in found}
+
     def close(self) -> None:
-        """End both streams."""
-        del self._markers, self._force
+        """End the recording, then both streams."""
+        if self._recorder is not None:
+            self._recorder.close()
+        del self._markers, self._force, self._resolver
 
 
 def _library() -> Any:

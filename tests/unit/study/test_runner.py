@@ -68,10 +68,14 @@ class Heard:
     """An observer that keeps what it is told."""
 
     def __init__(self):
-        self.markers = []
+        self.markers, self.problem = [], ""
 
     def marker(self, text, monotonic_s):
         self.markers.append((text, monotonic_s))
+
+    def check(self):
+        if self.problem:
+            raise StudyError(self.problem)
 
 
 class RunningSession:
@@ -530,3 +534,14 @@ def test_the_operator_s_notes_and_checks_are_kept(running):
     found = {r.kind: r.content for r in running.records().intact}
     assert found["note"] == {"text": "window was open"}
     assert found["checks"]["checks"][0]["check"] == "disk"
+
+
+def test_a_trial_that_is_not_recorded_elsewhere_does_not_begin(running):
+    running.to_trials()
+    running.heard.problem = "LabRecorder was closed"
+    with pytest.raises(StudyError, match="LabRecorder was closed"):
+        running.runner.proceed()
+    assert (running.kind, running.contents("trial-begin")) == (PageKind.READY, [])
+    running.heard.problem = ""
+    running.play()
+    assert len(running.contents("trial-begin")) == 1
