@@ -12,7 +12,8 @@ from hapticplayer.model.device import Vector
 from hapticplayer.simulation.falcon.parameters import PlantGeometry
 
 _REFINEMENTS = 4
-_CLOSE_ENOUGH_M = 1e-12
+# Each step squares the error: behind one of 0.1 um there is less than 1 pm.
+_LAST_STEP_M = 1e-7
 
 
 class PlantPose(NamedTuple):
@@ -64,14 +65,16 @@ class PlantKinematics:
             angles.append(theta)
         return PlantPose((angles[0], angles[1], angles[2]), (rows[0], rows[1], rows[2]))
 
-    def forward(self, theta_rad: Vector, near_m: Vector) -> Vector:
+    def forward(
+        self, theta_rad: Vector, near_m: Vector, near: PlantPose | None = None
+    ) -> Vector:
         """Return the position for joint angles by Newton's method, to 1 pm.
 
-        `near_m` is a position within a few millimetres.
+        `near_m` is a position within a few millimetres, `near` its joints.
         """
-        x, y, z = near_m
+        (x, y, z), pose = near_m, near
         for _ in range(_REFINEMENTS):
-            theta, rates = self.inverse((x, y, z))
+            theta, rates = pose or self.inverse((x, y, z))
             dx, dy, dz = solve(
                 rates,
                 (
@@ -80,8 +83,8 @@ class PlantKinematics:
                     theta_rad[2] - theta[2],
                 ),
             )
-            x, y, z = x + dx, y + dy, z + dz
-            if abs(dx) + abs(dy) + abs(dz) < _CLOSE_ENOUGH_M:
+            x, y, z, pose = x + dx, y + dy, z + dz, None
+            if abs(dx) + abs(dy) + abs(dz) < _LAST_STEP_M:
                 break
         return (x, y, z)
 

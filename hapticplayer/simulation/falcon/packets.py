@@ -16,7 +16,8 @@ from hapticplayer.model.device import DeviceReading, Vector
 _COMMAND = struct.Struct("<4sIdddd")
 _REPLY = struct.Struct("<4sIddddHBx")
 _CONTROL = struct.Struct("<4sIdB7x")
-_CHECKSUM = struct.Struct("<I")
+_CHECKSUM_BYTES = 4
+_SEALED_COMMAND = struct.Struct("<4sIddddI")
 _SEALED_REPLY = struct.Struct("<4sIddddHBxI")
 _COMMAND_MAGIC, _REPLY_MAGIC, _CONTROL_MAGIC = b"HPf1", b"HPr1", b"HPc1"
 SERIAL_MASK = 0xFFFFFFFF
@@ -57,15 +58,16 @@ Packet = ForceCommand | Control
 def command_bytes(serial: int, stamp_s: float, force_n: Vector) -> bytes:
     """Return the bytes of a command; its fields, and no `ForceCommand`, because it is at 1 kHz."""
     x, y, z = force_n
-    body = _COMMAND.pack(_COMMAND_MAGIC, serial & SERIAL_MASK, stamp_s, x, y, z)
-    return body + zlib.crc32(body).to_bytes(4, "little")
+    number = serial & SERIAL_MASK
+    return _sealed(_COMMAND.pack(_COMMAND_MAGIC, number, stamp_s, x, y, z))
 
 
 def pack_reply(serial: int, reading: DeviceReading) -> bytes:
     """Return the bytes of the answer to a command, as of `replied_s`."""
-    position_m, buttons, is_homed, stamp_s, *_ = reading
-    fields = (serial & SERIAL_MASK, stamp_s, *position_m, buttons, is_homed)
-    return _sealed(_REPLY.pack(_REPLY_MAGIC, *fields))
+    (x, y, z), buttons, is_homed, stamp_s, *_ = reading
+    number = serial & SERIAL_MASK
+    body = _REPLY.pack(_REPLY_MAGIC, number, stamp_s, x, y, z, buttons, is_homed)
+    return _sealed(body)
 
 
 def pack_control(control: Control) -> bytes:
@@ -77,18 +79,17 @@ def unpack(data: bytes) -> Packet | None:
 
     None covers another size, kind or checksum, and numbers that are not finite.
     """
-    body = data[: -_CHECKSUM.size]
-    if len(body) < _CONTROL.size or data[len(body) :] != _checksum(body):
-        return None
-    kind, size = body[:4], len(body)
-    if kind == _COMMAND_MAGIC and size == _COMMAND.size:
-        _, serial, stamp_s, x, y, z = _COMMAND.unpack(body)
-        is_finite = math.isfinite(stamp_s + x + y + z)
-        return ForceCommand(serial, stamp_s, (x, y, z)) if is_finite else None
-    if kind == _CONTROL_MAGIC and size == _CONTROL.size:
-        _, _, value, event = _CONTROL.unpack(body)
-        known = event in ScriptedEvent.__members__.values() and math.isfinite(value)
-        return Control(ScriptedEvent(event), value) if known else None
+    body = data[:-_CHECKSUM_BYTES]
+    if len(data) == _SEALED_COMMAND.size:
+        kind, serial, stamp_s, x, y, z, checksum = _SEALED_COMMAND.unpack(data)
+        is_sound = kind == _COMMAND_MAGIC and zlib.crc32(body) == checksum
+        if is_sound and math.isfinite(stamp_s + x + y + z):
+            return ForceCommand(serial, stamp_s, (x, y, z))
+    elif len(body) == _CONTROL.size and data[len(body) :] == _checksum(body):
+        kind, _, value, event = _CONTROL.unpack(body)
+        is_known = event in ScriptedEvent.__members__.values() and math.isfinite(value)
+        if kind == _CONTROL_MAGIC and is_known:
+            return Control(ScriptedEvent(event), value)
     return None
 
 
@@ -111,4 +112,4 @@ def _sealed(body: bytes) -> bytes:
 
 
 def _checksum(body: bytes) -> bytes:
-    return _CHECKSUM.pack(zlib.crc32(body))
+    return zlib.crc32(body).to_bytes(_CHECKSUM_BYTES, "little")

@@ -59,8 +59,8 @@ class Server:
     def turn(self) -> None:
         """Take all that has come, let the time pass, and write it down."""
         self._is_up_to_date = False
-        if self._hears(self._clock.now_s()):
-            for end in list(self._ends):
+        if self._deaf_until_s is None or self._hears(self._clock.now_s()):
+            for end in tuple(self._ends):
                 self._drain(end)
         if self._is_up_to_date:  # a command was the last to come, and is on record
             return
@@ -106,6 +106,8 @@ class Server:
                 self._hang_up(end)
                 return
             self._take(data)
+            if not self._poll.poll(0.0):  # a third of what a refused call costs
+                return
 
     def _hang_up(self, end: socket.socket) -> None:
         if end is self._line:

@@ -48,6 +48,7 @@ class Simulation:
         self._pending: deque[tuple[float, Vector]] = deque()
         self._expires_s = math.inf
         self._counts: tuple[int, int, int] | None = None
+        self._read_m: Vector | None = None
         self._seen_m = ZERO
 
     @property
@@ -102,22 +103,30 @@ class Simulation:
 
     def reading(self, now_s: float) -> DeviceReading:
         """Encoders and buttons at `now_s`."""
-        kinematics, position_m = self._kinematics, self.position_m
-        zero_rad, count_rad = (
-            kinematics.geometry.theta0_rad,
-            kinematics.geometry.count_rad,
-        )
-        a, b, c = kinematics.inverse(position_m).theta_rad
+        position_m = self._plant.position_m
+        if position_m is not self._read_m:
+            self._read_m = position_m
+            self._read(position_m)
+        return DeviceReading(self._seen_m, self.buttons, self.is_homed, now_s)
+
+    def _read(self, position_m: Vector) -> None:
+        kinematics = self._kinematics
+        geometry, pose = kinematics.geometry, kinematics.inverse(position_m)
+        zero_rad, count_rad = geometry.theta0_rad, geometry.count_rad
+        a, b, c = pose.theta_rad
         counts = (
             round((a - zero_rad) / count_rad),
             round((b - zero_rad) / count_rad),
             round((c - zero_rad) / count_rad),
         )
         if counts != self._counts:
-            self._counts = counts
-            a, b, c = (zero_rad + count * count_rad for count in counts)
-            self._seen_m = kinematics.forward((a, b, c), position_m)
-        return DeviceReading(self._seen_m, self.buttons, self.is_homed, now_s)
+            self._counts = p, q, r = counts
+            a, b, c = (
+                zero_rad + p * count_rad,
+                zero_rad + q * count_rad,
+                zero_rad + r * count_rad,
+            )
+            self._seen_m = kinematics.forward((a, b, c), position_m, pose)
 
     def act(self, control: Control) -> None:
         """Do what concerns hand, buttons and homing; other acts are not for here."""

@@ -41,7 +41,8 @@ def test_the_moment_of_the_end_does_not_depend_on_when_one_looks():
     for tick in range(1, 101):
         often.advance(START_S + 0.010 + tick / 1000)
     rarely.advance(START_S + 0.110)
-    np.testing.assert_allclose(rarely.position_m, often.position_m, atol=1e-9)
+    # 1 ms more of the force would be 100 um; the longer steps err by 5 um
+    np.testing.assert_allclose(rarely.position_m, often.position_m, atol=1e-5)
 
 
 def test_an_endless_hold_keeps_the_force():
