@@ -15,7 +15,7 @@ from app.widgets import theme
 from app.widgets.layout import column_of, framed, paragraph, row_of
 from app.widgets.level_meter import LevelMeter
 from app.widgets.texts import local, time_text
-from hapticplayer.capture.live.recorder import RecorderState
+from hapticplayer.capture.live.recorder_state import RecorderState
 from hapticplayer.errors import Message
 from hapticplayer.model.device import ChannelLevel
 

@@ -26,8 +26,8 @@ from hapticplayer.capture.si_csv import RECORDING, SCHEMA, is_recorded
 from hapticplayer.capture.source import LogSource, open_file
 from hapticplayer.errors import InputError, Message, shell_line
 from hapticplayer.media.remux import MATROSKA, remux
-from hapticplayer.model import ClockMap
-from hapticplayer.model.arrays import Floats
+from hapticplayer.model import ClockMap, ImuLog
+from hapticplayer.model.arrays import Floats, arrays_of
 from hapticplayer.model.limits import MAX_CSV_BYTES
 from hapticplayer.storage import file_replaced, lock_folder, replace_json
 from hapticplayer.structures import MAX_JSON_BYTES, check_schema, convert, decode
@@ -55,11 +55,18 @@ class Gap(Struct, frozen=True):
 
 
 class SourceClockLine(Struct, frozen=True):
-    """Times of `imu.csv` to media time: rate * time + offset."""
+    """Times of `imu.csv` to media time: rate * time + offset, from one of them on."""
 
     offset_s: _Seconds
     rate: Annotated[float, Meta(ge=0.9, le=1.1)] = 1.0
     residual_s: _Residual = 0.0
+    begin_s: _Seconds = 0.0
+
+    @classmethod
+    def of(cls, clock: Any, begin_s: float) -> "SourceClockLine":
+        """Of a `SourceClock` that begins there."""
+        offset_s, rate = clock.line()
+        return cls(offset_s, rate, clock.residual_s, begin_s)
 
 
 class Stream(Struct, frozen=True):
@@ -89,6 +96,7 @@ class Take(Struct, frozen=True, kw_only=True):
         is_finished: False while it is recorded, and after a kill.
         mounting: of the IMU, as `--mounting`; "" where nobody said.
         clock: of the IMU; None without one, and before enough is known.
+        restarts: its clocks after it was unplugged or restarted, in their order.
     """
 
     schema: str = SCHEMA
@@ -100,6 +108,7 @@ class Take(Struct, frozen=True, kw_only=True):
     microphone: Stream | None = None
     imu: Stream | None = None
     clock: SourceClockLine | None = None
+    restarts: list[SourceClockLine] = []
     mounting: str = ""
     marks_s: list[_Seconds] = []
     gaps: list[Gap] = []
@@ -160,7 +169,7 @@ def finished(folder: Path) -> Take:
             _finish_clip(folder / CLIP)
         if take.imu is not None:
             pairs = _finish_log(folder / LOG)
-            changes |= {"clock": _line(pairs)} if len(pairs) > 1 else {"imu": None}
+            changes |= _clocks(pairs, take) if len(pairs) > 1 else {"imu": None}
         ended = "The recorder was ended from outside; this is what it had written."
         changes["notices"] = [*take.notices, ended]
         take = msgspec.structs.replace(take, **changes)
@@ -198,19 +207,31 @@ def _finish_log(log: Path) -> Floats:
     return np.array([(row[0], row[-1]) for row in rows], dtype=np.float64)
 
 
-def _line(pairs: Floats) -> SourceClockLine:
+def _clocks(pairs: Floats, take: Take) -> dict[str, Any]:
+    """The clock of each stretch of a log, fitted to its rows."""
     from hapticplayer.capture.live.source_clock import SourceClock
 
-    clock = SourceClock()
-    clock.add(pairs[:, 0], pairs[:, 1])
-    return line_of(clock, (float(pairs[0, 0]), float(pairs[-1, 0])))
+    lines = []
+    begins_s = [one.begin_s for one in take.restarts]
+    for part in np.split(pairs, np.searchsorted(pairs[:, 0], begins_s)):
+        if len(part) > 1:
+            clock = SourceClock()
+            clock.add(part[:, 0], part[:, 1])
+            lines.append(SourceClockLine.of(clock, float(part[0, 0])))
+    return {"clock": lines[0], "restarts": lines[1:]}
 
 
-def line_of(clock: Any, ends_s: tuple[float, float]) -> SourceClockLine:
-    """The line of a source's clock between two of its times."""
-    first_s, last_s = (float(one) for one in clock.host_s(np.array(ends_s)))
-    rate = (last_s - first_s) / max(1e-9, ends_s[1] - ends_s[0])
-    return SourceClockLine(first_s - rate * ends_s[0], rate, clock.residual_s)
+def _in_media_time(imu: ImuLog, lines: list[SourceClockLine]) -> ImuLog:
+    """A log by the clock of each of its stretches, of which none reaches into the next."""
+    stretch = np.searchsorted(
+        [one.begin_s for one in lines[1:]], imu.time_s, side="right"
+    )
+    rate, offset_s = np.array([(one.rate, one.offset_s) for one in lines]).T
+    media_s = rate[stretch] * imu.time_s + offset_s[stretch]
+    before_s = np.concatenate([[-np.inf], np.maximum.accumulate(media_s)[:-1]])
+    kept = media_s > before_s
+    parts = arrays_of(imu, kept)
+    return replace(imu, **{**parts, "time_s": media_s[kept]})
 
 
 def recognises(source: LogSource) -> Confidence:
@@ -233,13 +254,14 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
             ),
         )
     found = si_csv.read(source.alone(LOG), choices)
-    clock, imu = take.clock, found.imu
-    lag = stamped_here(clock.residual_s)
-    media_s = clock.rate * imu.time_s + clock.offset_s
+    lines = [take.clock, *take.restarts]
+    residual_s = max(one.residual_s for one in lines)
+    lag = stamped_here(residual_s)
+    imu = replace(found.imu, source=str(source.path))
     return replace(
         found,
-        imu=replace(imu, time_s=media_s, source=str(source.path)),
-        clock_map=ClockMap(0.0, 1.0, clock.residual_s, 1.0),
+        imu=_in_media_time(imu, lines),
+        clock_map=ClockMap(0.0, 1.0, residual_s, 1.0),
         lag=lag,
         camera=Message("recorded here"),
         notes=(*found.notes, lag.text),

@@ -6,7 +6,8 @@ import select
 import sys
 from typing import TextIO
 
-from hapticplayer.capture.live.recorder import Recorder, RecorderState
+from hapticplayer.capture.live.recorder import Recorder
+from hapticplayer.capture.live.recorder_state import RecorderState
 from hapticplayer.capture.live.source import live_sources
 from hapticplayer.capture.recorded import read_take
 from hapticplayer.cli.common import add_number, say, say_aside, shown_progress
@@ -133,10 +134,10 @@ def _report(recorder: Recorder) -> int:
         f"{state.samples} samples ({state.dropped_samples} dropped), "
         f"{len(take.gaps)} gaps, {len(take.marks_s)} marks"
     )
-    if take.clock is not None:
+    for clock in filter(None, (take.clock, *take.restarts)):
         say(
-            f"clock of the IMU: {1e6 * (take.clock.rate - 1.0):+.0f} ppm, residual "
-            f"{1e3 * take.clock.residual_s:.1f} ms"
+            f"clock of the IMU: {1e6 * (clock.rate - 1.0):+.0f} ppm, residual "
+            f"{1e3 * clock.residual_s:.1f} ms"
         )
     for gap in take.gaps[:_SHOWN_GAPS]:
         say(f"gap: {gap.stream} from {gap.begin_s:.2f} to {gap.end_s:.2f} s")

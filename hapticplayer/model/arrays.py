@@ -114,7 +114,7 @@ def all_of_rows(flags: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return out
 
 
-def arrays_of(value: Any, chosen: slice) -> dict[str, Any]:
+def arrays_of(value: Any, chosen: slice | NDArray[np.bool_]) -> dict[str, Any]:
     """Return the arrays of a dataclass by name, some of their rows."""
     held = {field.name: getattr(value, field.name) for field in fields(value)}
     arrays = {k: one for k, one in held.items() if isinstance(one, np.ndarray)}

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from hapticplayer.capture.live.recorder import RecorderState
+from hapticplayer.capture.live.recorder_state import RecorderState
 from hapticplayer.capture.recorded import Gap, SourceClockLine, Stream, Take
 from hapticplayer.errors import Message
 from hapticplayer.model import MotionTrack

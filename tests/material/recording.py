@@ -66,14 +66,23 @@ class Board:
     """Lines of CSV at 200 Hz on a pseudo-terminal, in batches, on a clock of its own."""
 
     def __init__(self, batch_s=0.008, seed=7):
-        self._master, self._slave = os.openpty()
-        tty.setraw(self._slave, termios.TCSANOW)
-        os.set_blocking(self._master, False)
-        # its lines would not fit into the usual 115200 baud
-        self.source = f"csv:{os.ttyname(self._slave)},baud=921600"
         self._batch_s, self._rng = batch_s, np.random.default_rng(seed)
         self._clock, self._over = SystemClock(), threading.Event()
         self._asleep = threading.Event()
+        self.plug_in()
+        # its lines would not fit into the usual 115200 baud
+        self.source = f"csv:{self.port},baud=921600"
+
+    def plug_in(self, name=None):
+        """Begin anew, its clock too; under a lasting name, as a real one has."""
+        self._over.clear()
+        self._master, self._slave = os.openpty()
+        tty.setraw(self._slave, termios.TCSANOW)
+        os.set_blocking(self._master, False)
+        self.port = os.ttyname(self._slave)
+        if name is not None:
+            name.unlink(missing_ok=True)
+            name.symlink_to(self.port)
         self._thread = threading.Thread(target=self._send, daemon=True)
         self._thread.start()
 

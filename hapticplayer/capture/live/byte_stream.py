@@ -82,6 +82,8 @@ class Descriptor:
             data = os.read(self._descriptor, _MOST_BYTES)
         except (OSError, ValueError) as problem:
             raise self._lost(Message("was unplugged or closed")) from problem
+        if not data and not self._descriptor:
+            raise InputError("has ended", where=self._name)
         if not data:
             raise self._lost(Message("has ended"))
         return data

@@ -6,10 +6,15 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.capture.live.source import LiveSource, OpenedSource, Samples
+from hapticplayer.capture.live.source import (
+    LiveSource,
+    OpenedSource,
+    Samples,
+    SourceLost,
+)
 from hapticplayer.capture.live.source_clock import SourceClock
 from hapticplayer.capture.mounting import AS_RECORDED
-from hapticplayer.capture.recorded import COLUMNS, SourceClockLine, line_of
+from hapticplayer.capture.recorded import COLUMNS, SourceClockLine
 from hapticplayer.clock import Clock
 from hapticplayer.model.arrays import Floats
 
@@ -25,7 +30,8 @@ class ImuFile:
     """A source, its log and its clock.
 
     Times in the file begin at the first stamp; the last column is the arrival in media
-    time. Samples are turned into frame A by the axes that the source declares.
+    time. Samples are turned into frame A by the axes that the source declares. Where the
+    source's clock begins anew, times go on by the arrivals, with another line to media time.
 
     Args:
         path: of the new file.
@@ -35,42 +41,64 @@ class ImuFile:
 
     def __init__(self, path: Path, source: LiveSource, zero_s: float) -> None:
         self._source, self._zero_s = source, zero_s
-        self._clock, self._axes, self.stamped_by = SourceClock(), AS_RECORDED, "source"
+        self._axes, self.stamped_by = AS_RECORDED, "source"
         if isinstance(source, OpenedSource):
-            self._clock, self._axes = source.new_clock(), source.declares.axes
+            self._axes = source.declares.axes
             self.stamped_by = "source" if source.row.has_stamps else "count"
+        self._stretches: list[tuple[float, SourceClock]] = []
+        self._lost: SourceLost | None = None
         self._file = path.open("xb")
         self._file.write((",".join(COLUMNS) + "\n").encode())
         self._origin_s: float | None = None
-        self._last_s = 0.0
+        self._last_s = self._last_arrival_s = 0.0
         self._shown: deque[Floats] = deque(maxlen=_MOST_SHOWN)
 
     def read(self, clock: Clock) -> tuple[Floats, Floats]:
         """Write what comes in a tenth of a second; media times (n,), as known now, and own.
 
-        Each read stamps arrivals; the rest is done for many at once, which costs less.
+        Each read stamps arrivals; the rest is done for many at once, which costs less. What
+        came before a source was lost is written first.
         """
+        if self._lost is not None:
+            lost, self._lost = self._lost, None
+            raise lost
         parts, until_s = [], clock.now_s() + _BATCH_S
         try:
             while (left_s := until_s - clock.now_s()) > 0.0:
                 parts.append(self._source.read(left_s))
-        finally:
-            found = self._take([part for part in parts if len(part.stamp_s)])
-        return found
+        except SourceLost as problem:
+            self._lost = problem
+        return self._take([part for part in parts if len(part.stamp_s)])
+
+    def begin_anew(self) -> None:
+        """Take what comes next by another clock."""
+        self._origin_s = None
+
+    def _begin(self, stamp_s: float, arrival_s: float) -> float:
+        """Begin a stretch, the first one at 0 of the file; the stamp of that 0."""
+        begin_s = 0.0
+        if self._stretches:
+            begin_s = self._last_s + max(_BATCH_S, arrival_s - self._last_arrival_s)
+        clock = SourceClock()
+        if isinstance(self._source, OpenedSource):
+            clock = self._source.new_clock()
+        self._stretches.append((begin_s, clock))
+        return stamp_s - begin_s
 
     def _take(self, parts: list[Samples]) -> tuple[Floats, Floats]:
         if not parts:
             return np.empty(0), np.empty(0)
         joined = Samples(*map(np.concatenate, zip(*parts, strict=True)))
         samples = joined.in_frame_a(self._axes)
-        if self._origin_s is None:
-            self._origin_s = float(samples.stamp_s[0])
-        time_s = samples.stamp_s - self._origin_s
         arrival_s = samples.arrival_s - self._zero_s
-        self._clock.add(time_s, arrival_s)
-        self._last_s = float(time_s[-1])
+        if self._origin_s is None:
+            self._origin_s = self._begin(float(samples.stamp_s[0]), float(arrival_s[0]))
+        time_s = samples.stamp_s - self._origin_s
+        clock = self._stretches[-1][1]
+        clock.add(time_s, arrival_s)
+        self._last_s, self._last_arrival_s = float(time_s[-1]), float(arrival_s[-1])
         self._write(time_s, samples, arrival_s)
-        media_s = np.asarray(self._clock.host_s(time_s))
+        media_s = np.asarray(clock.host_s(time_s))
         self._show(media_s, samples)
         return media_s, time_s
 
@@ -94,9 +122,9 @@ class ImuFile:
         parts = list(self._shown)
         return np.concatenate(parts) if parts else np.empty((0, 7))
 
-    def line(self) -> SourceClockLine | None:
-        """From times in the file to media time, as far as it is known."""
-        return line_of(self._clock, (0.0, self._last_s)) if self._last_s else None
+    def lines(self) -> list[SourceClockLine]:
+        """From times in the file to media time, as far as it is known, of each stretch."""
+        return [SourceClockLine.of(clock, at_s) for at_s, clock in self._stretches]
 
     def sync(self) -> None:
         """Put it on disk."""

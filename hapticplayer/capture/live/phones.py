@@ -6,6 +6,7 @@ tszheichoi/awesome-sensor-logger b10f5c5.
 
 import http.client
 import json
+import math
 import queue
 import threading
 from collections.abc import Iterable, Iterator
@@ -205,8 +206,12 @@ class PhyphoxSource:
                     continue
                 now_s = self._clock.now_s()
                 events = list(phyphox_events(content, self._buffers, self._where))
-                for sensor, stamp_s, _ in events:
-                    after_s[sensor] = max(stamp_s, after_s.get(sensor, stamp_s))
+                # the last ones, not the largest: a new measurement begins at 0
+                after_s |= {
+                    sensor: stamp_s
+                    for sensor, stamp_s, _ in events
+                    if math.isfinite(stamp_s)
+                }
                 if not is_first:  # which holds what was measured before
                     self._queued.put(events, now_s)
         except HapticPlayerError as problem:

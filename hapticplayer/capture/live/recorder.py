@@ -9,14 +9,18 @@ import os
 import shutil
 import threading
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hapticplayer.capture.live.imu_file import ImuFile
-from hapticplayer.capture.live.source import LiveSource, OpenedSource
+from hapticplayer.capture.live.recorder_state import RecorderState
+from hapticplayer.capture.live.source import (
+    ClockRestarted,
+    LiveSource,
+    OpenedSource,
+    SourceLost,
+)
 from hapticplayer.capture.live.stream_watch import StreamWatch
 from hapticplayer.capture.recorded import CLIP, LOG, Gap, Stream, Take
 from hapticplayer.clock import Clock, utc_now_iso
@@ -30,7 +34,6 @@ from hapticplayer.errors import (
 )
 from hapticplayer.media.live_clip import LiveClip, first_shown
 from hapticplayer.media.live_input import CAMERAS, MICROPHONES, Live, LiveInput
-from hapticplayer.model.arrays import Floats
 from hapticplayer.storage import (
     FOLDER,
     StorageError,
@@ -46,50 +49,9 @@ CHECK_AT_S = 20.0
 """When what an IMU has sent is compared with gravity."""
 
 _LOOK_S, _SYNC_S, _DESCRIBE_S, _JOIN_S = 0.1, 1.0, 5.0, 3.0
+_AGAIN_S = 0.5
 _CAMERA_STALL_S, _SOURCE_STALL_S, _SOUND_STALL_S = 1.0, 0.5, 1.0
 _SHOWN_FOR_S, _TOLD_EVERY_S = 1.0, 10.0
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RecorderState:
-    """A recording now.
-
-    Attributes:
-        elapsed_s: media time.
-        frame: (h, w, 3) uint8 RGB, small; None without a camera.
-        level_db: peak of the microphone, full scale is 0; None without one.
-        time_s: (n,) media times of the last seconds of the IMU.
-        accel_mps2: (n, 3), in frame A as far as its axes are known.
-        rate_radps: (n, 3).
-        camera_hz: as measured, like `imu_hz`.
-        frames: written.
-        dropped_frames: missing by their stamps, or broken.
-        samples: written.
-        dropped_samples: missing by their stamps.
-        gaps: the longer ones, of all streams.
-        marks_s: media times.
-        free_bytes: of the disk.
-        notices: what a person should know, in order.
-        is_over: nothing is recorded any more, although nobody stopped it.
-    """
-
-    elapsed_s: float
-    frame: NDArray[np.uint8] | None
-    level_db: float | None
-    time_s: Floats
-    accel_mps2: Floats
-    rate_radps: Floats
-    camera_hz: float
-    imu_hz: float
-    frames: int
-    dropped_frames: int
-    samples: int
-    dropped_samples: int
-    gaps: tuple[Gap, ...]
-    marks_s: tuple[float, ...]
-    free_bytes: int
-    notices: tuple[Message, ...]
-    is_over: bool
 
 
 class Recorder:
@@ -140,6 +102,7 @@ class Recorder:
         self._zero_s, self._began, self._shown_until_s = 0.0, "", 0.0
         self._lock: int | None = None
         self._is_damaged = self._is_low = self._ended_alone = False
+        self._is_away = self._is_news = False
 
     def start(self) -> None:
         """Open the devices, make the folder, and record.
@@ -260,11 +223,52 @@ class Recorder:
         assert self._log is not None
         try:
             while not self._stopping.is_set():
-                media_s, stamp_s = self._log.read(self._clock)
+                try:
+                    media_s, stamp_s = self._log.read(self._clock)
+                except SourceLost as problem:
+                    self._take_up_again(self._log, problem)
+                    continue
                 if len(media_s):
                     self._motion.take(media_s, self._elapsed_s(), stamp_s)
+                    self._is_away = False
         finally:
             self._log.close()
+
+    def _take_up_again(self, log: ImuFile, lost: SourceLost) -> None:
+        """Wait for an IMU that was lost; what comes then has a clock of its own."""
+        source = self._source
+        if not isinstance(source, OpenedSource):
+            raise lost
+        if isinstance(lost, ClockRestarted):
+            self._tell(
+                Message("imu: {what}; from now on it has another clock", what=lost.what)
+            )
+            source.forget_clock()
+        elif not self._is_opened_again(source, lost):
+            return
+        log.begin_anew()
+        self._is_news = True
+
+    def _is_opened_again(self, source: OpenedSource, lost: SourceLost) -> bool:
+        """Whether it came back before the stop; told once for as long as it is away."""
+        if not self._is_away:
+            self._is_away = True
+            self._motion.lose()
+            self._silent.add("imu")
+            what = Message(
+                "imu: {where} {what}; the rest goes on, and it is taken up again as soon "
+                "as it is back",
+                where=lost.where,
+                what=lost.what,
+            )
+            self._tell(what)
+        while not self._stopping.wait(_AGAIN_S):
+            try:
+                source.open_again()
+            except HapticPlayerError:  # as was told
+                continue
+            return True
+        return False
 
     def _watches(self) -> Iterator[StreamWatch]:
         for watch in (self._film, self._sound, self._motion):
@@ -281,8 +285,8 @@ class Recorder:
                 synced_s = now_s
                 self._sync()
                 self._tell_of_disk()
-            if now_s - described_s >= _DESCRIBE_S:
-                described_s = now_s
+            if self._is_news or now_s - described_s >= _DESCRIBE_S:
+                described_s, self._is_news = now_s, False
                 self._describe()
             if not is_checked and self._elapsed_s() >= CHECK_AT_S:
                 is_checked = True
@@ -350,6 +354,7 @@ class Recorder:
     def _description(self, *, is_finished: bool = False) -> Take:
         camera, audio, source = self._names
         film, sound, motion = self._film, self._sound, self._motion
+        lines = self._log.lines() if self._log else []
         return Take(
             began=self._began,
             zero_s=self._zero_s,
@@ -370,7 +375,8 @@ class Recorder:
                 motion.count,
                 motion.dropped,
             ),
-            clock=self._log.line() if self._log else None,
+            clock=lines[0] if lines else None,
+            restarts=lines[1:],
             mounting=self._mounting,
             marks_s=list(self._marks_s),
             gaps=self._gaps(),

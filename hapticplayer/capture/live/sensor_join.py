@@ -8,6 +8,7 @@ from hapticplayer.capture.live.source import Samples
 
 ACCEL, RATE, GRAVITY = "accel", "rate", "gravity"
 _WAIT_S, _MOST_GAP_S, _BEFORE_S, _MOST = 0.25, 0.1, 1.0, 20_000
+_ANEW_S = 5.0  # stamps that go back so far are those of another clock
 _NONE = (math.nan,) * 3
 _Sample = tuple[float, float, tuple[float, float, float]]
 
@@ -37,11 +38,19 @@ class SensorJoin:
         whole = (stamp_s, arrival_s, *values)
         if held is None or len(whole) != 5 or not all(map(math.isfinite, whole)):
             return
+        if sensor == ACCEL and stamp_s < self._last_s - _ANEW_S:
+            self._begin_anew()
         first_s = self._last_s if sensor == ACCEL else self._last_s - _BEFORE_S
         if stamp_s > first_s:
             x, y, z = values
             bisect.insort(held, (stamp_s, arrival_s, (x, y, z)))
             del held[:-_MOST]
+
+    def _begin_anew(self) -> None:
+        """Forget what came by another clock, as before an app or a phone began anew."""
+        for one in (self._accel, *self._others.values()):
+            one.clear()
+        self._last_s = -math.inf
 
     def without_gravity(self) -> None:
         """Take the accelerometer as it is from now on."""

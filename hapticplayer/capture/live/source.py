@@ -85,6 +85,10 @@ class SourceLost(InputError):  # noqa: N818 - what has happened
     """
 
 
+class ClockRestarted(SourceLost):
+    """A source sends on, by a clock that stood still or began anew."""
+
+
 class LiveSource(Protocol):
     """An open source."""
 
@@ -251,18 +255,22 @@ class OpenedSource:
     """
 
     def __init__(
-        self, text: str, row: SourceRow, inner: LiveSource, choices: LogChoices
+        self,
+        text: str,
+        row: SourceRow,
+        inner: LiveSource,
+        choices: LogChoices,
+        again: Callable[[], LiveSource] | None = None,
     ) -> None:
         self.text, self.row, self._inner, self._choices = text, row, inner, choices
+        self._again = again
         self.declares = source_answers.answered(row.declares, choices)
         self.listener: Callable[[Samples], None] | None = None
-        self._recent: deque[Samples] = deque()
-        self._last_s = -np.inf
-        self._window, self._before_s, self._best_s = (-np.inf, np.inf), np.inf, np.inf
         self._to_si = (
             factor(self.declares.accel_unit, ACCEL_UNITS, "accel-unit"),
             factor(self.declares.rate_unit, RATE_UNITS, "rate-unit"),
         )
+        self.forget_clock()
 
     @property
     def how(self) -> Message:
@@ -273,6 +281,24 @@ class OpenedSource:
         """A clock for its stamps, which knows how far its rate may be off."""
         sigma = QUARTZ_SIGMA if self.row.has_stamps else COUNTED_SIGMA
         return SourceClock(sigma, self.row.least_delay_s)
+
+    def forget_clock(self) -> None:
+        """Take what comes next by a clock that begins anew."""
+        self._recent: deque[Samples] = deque()
+        self._last_s = -np.inf
+        self._window, self._before_s, self._best_s = (-np.inf, np.inf), np.inf, np.inf
+
+    def open_again(self) -> None:
+        """Open what was lost, with a new clock; what a person has allowed still holds.
+
+        Raises:
+            InputError: while it cannot be opened.
+        """
+        self._inner.close()
+        if self._again is None:
+            raise InputError("cannot be opened again", where=self.text)
+        self._inner = self._again()
+        self.forget_clock()
 
     def read(self, timeout_s: float) -> Samples:
         """See `LiveSource`."""
@@ -301,7 +327,7 @@ class OpenedSource:
         return samples.where(np.asarray(is_sane))
 
     def _refuse_another_clock(self, samples: Samples) -> None:
-        """Raise SourceLost where its clock stood still, as in a pause of its app.
+        """Raise ClockRestarted where it stood still, as in a pause of its app.
 
         Then its samples come later for good, and evenly; those of a link that was down
         come less and less late.
@@ -314,7 +340,7 @@ class OpenedSource:
             return
         late_s = min(least_s, self._before_s) - self._best_s
         if late_s > _LATE_S and abs(least_s - self._before_s) < _EVENLY_S:
-            raise SourceLost(
+            raise ClockRestarted(
                 "its clock stood still for {late_s:.1f} s",
                 where=self.text,
                 remedy="do not pause its app; record again",
@@ -327,10 +353,8 @@ class OpenedSource:
     def _in_order(self, stamp_s: Floats) -> NDArray[np.bool_]:
         """A mask of the stamps that are later than all before."""
         if stamp_s.max() < self._last_s - _BACK_S:
-            raise SourceLost(
-                "its clock began anew",
-                where=self.text,
-                remedy="connect it again; what comes is a new stretch",
+            raise ClockRestarted(
+                "its clock began anew", where=self.text, remedy="connect it again"
             )
         before = np.maximum.accumulate(np.concatenate([[self._last_s], stamp_s]))
         self._last_s = float(before[-1])
@@ -378,4 +402,5 @@ def open_source(
     opening = cast(Open, extension.load(row.home))
     inner = opening(SourceOptions(name, place, choices, ask), clock)
     source_answers.keep(text, choices)
-    return OpenedSource(text, row, inner, choices)
+    allowed = SourceOptions(name, place, choices, lambda _question: True)
+    return OpenedSource(text, row, inner, choices, lambda: opening(allowed, clock))

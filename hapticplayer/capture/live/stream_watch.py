@@ -79,6 +79,10 @@ class StreamWatch:
         self.is_stalled = True
         return True
 
+    def lose(self) -> None:
+        """It is gone, and somebody knows: its silence is no news."""
+        self.is_stalled = True
+
     def end(self, end_s: float) -> None:
         """Mark a gap that lasts until the end of the recording."""
         last_s = end_s if self._last is None else self._last[0]

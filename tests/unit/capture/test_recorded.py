@@ -95,6 +95,27 @@ def test_a_kill_leaves_a_recording_that_is_finished_later(make_take):
     assert any("ended from outside" in one for one in finished(folder).notices)
 
 
+@pytest.mark.parametrize("is_killed", [False, True])
+def test_each_stretch_of_a_log_goes_by_its_own_clock(make_take, is_killed):
+    """The sensor was unplugged for 1 s; its rows go on by arrivals that were 20 ms late."""
+    begin_s, late_s = 4.02, 0.02
+    later = SourceClockLine(FIRST_S - late_s, 1.0, 0.003, begin_s)
+    folder = make_take(is_killed=is_killed, restarts=[later])
+    rows = [
+        f"{begin_s + k / 200:.6f},0,0,9.81,0,0,0,{FIRST_S - late_s + begin_s + k / 200 + 0.002 * (k % 3):.6f}\n"
+        for k in range(600)
+    ]
+    log = (folder / LOG).read_text().rpartition("\n")[0]
+    (folder / LOG).write_text("\n".join([log, "".join(rows)]))
+    parts_of(folder)
+    recording = read_recording(folder)
+    media_s = FIRST_S - late_s + begin_s
+    assert recording.imu.time_s[600] == pytest.approx(media_s, abs=0.001)
+    assert recording.imu.time_s[-1] == pytest.approx(media_s + 599 / 200, abs=0.001)
+    assert recording.imu.time_s[0] == pytest.approx(FIRST_S, abs=0.006)
+    assert len(finished(folder).restarts) == 1
+
+
 def probe_fails(folder):
     try:
         return probe(folder / CLIP).duration_s < 0

@@ -17,7 +17,11 @@ from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.live import lsl_source, phones
 from hapticplayer.capture.live.push_server import MAX_BODY_BYTES
 from hapticplayer.capture.live.sensor_join import ACCEL, RATE, SensorJoin
-from hapticplayer.capture.live.source import SourceLost, open_source
+from hapticplayer.capture.live.source import (
+    ClockRestarted,
+    SourceLost,
+    open_source,
+)
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError, UsageError
 
@@ -205,16 +209,13 @@ def phone(answers):
 
 @pytest.mark.realtime
 def test_phyphox_is_started_and_asked_for_what_is_new():
-    later = ANSWER.replace(b"[0.01, 0.02]", b"[1.01, 1.02]").replace(
-        b"[0.0, 0.02]", b"[1.0, 1.02]"
-    )
     answers = {"/config": CONFIG, "/control": b'{"result":true}', "/get": ANSWER}
     clock = SystemClock()
     with phone(answers) as (port, asked):
         source = open_source(f"phyphox:http://127.0.0.1:{port}", clock)
         while len(asked) < 4:  # what was measured before is left out
             source.read(0.05)
-        answers["/get"] = later
+        answers["/get"] = answered_at(1.0)
         rows = read_until(source, 1)
         assert rows[0, 1:] == pytest.approx([1.01, 0.1, 0.0, 9.8, 2.0, 0.0, 0.0])
         assert abs(rows[0, 0] - clock.now_s()) < 5.0
@@ -222,6 +223,31 @@ def test_phyphox_is_started_and_asked_for_what_is_new():
         assert parse_qs(urlsplit(asked[2]).query)["acc_time"] == ["full"]
         assert parse_qs(urlsplit(asked[3]).query)["acc_time"] == ["0.02"]
     assert not len(source.read(0.1).stamp_s)  # it sleeps, and is asked again
+    source.close()
+
+
+def answered_at(begin_s):
+    return ANSWER.replace(
+        b"[0.01, 0.02]", f"[{begin_s + 0.01}, {begin_s + 0.02}]".encode()
+    ).replace(b"[0.0, 0.02]", f"[{begin_s}, {begin_s + 0.02}]".encode())
+
+
+@pytest.mark.realtime
+def test_a_measurement_that_began_anew_is_told_and_asked_for():
+    answers = {"/config": CONFIG, "/control": b"{}", "/get": answered_at(99.0)}
+    with phone(answers) as (port, asked):
+        source = open_source(f"phyphox:127.0.0.1:{port}", SystemClock())
+        while len(asked) < 4:
+            source.read(0.05)
+        answers["/get"] = answered_at(100.0)
+        assert read_until(source, 1)[0, 1] == pytest.approx(100.01)
+        answers["/get"] = answered_at(0.0)
+        with pytest.raises(ClockRestarted, match="began anew"):
+            read_until(source, 1)
+        source.forget_clock()
+        answers["/get"] = answered_at(1.0)
+        assert read_until(source, 1)[0, 1] == pytest.approx(1.01)
+        assert "acc_time=0.02" in "".join(asked)
     source.close()
 
 
@@ -305,7 +331,7 @@ def test_sensor_logger_posts_to_a_path_that_nobody_guesses(logger):
     ("status", "change"),
     [
         (403, {"path": "/guess"}),
-        (413, {"body": b"0" * (MAX_BODY_BYTES + 1)}),
+        (413, {"headers": {"Content-Length": str(MAX_BODY_BYTES + 1)}}),
         (400, {"body": b"no message"}),
         (501, {"method": "GET"}),
         (411, {"headers": {"Content-Length": "-5"}}),

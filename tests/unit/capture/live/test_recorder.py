@@ -1,16 +1,25 @@
 """Recordings of a test camera, a test microphone and a board on a pseudo-terminal."""
 
+import numpy as np
 import pytest
 
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.live.recorder import Recorder
-from hapticplayer.capture.live.source import open_source
+from hapticplayer.capture.live.source import (
+    OpenedSource,
+    Samples,
+    SourceRow,
+    open_source,
+)
 from hapticplayer.capture.recorded import CLIP, LOG, parts_of, read_take
-from hapticplayer.clock import SystemClock
-from hapticplayer.errors import HapticPlayerError, InputError, UsageError
+from hapticplayer.clock import SystemClock, realtime_minus_monotonic_s
+from hapticplayer.errors import HapticPlayerError, InputError, Message, UsageError
 from hapticplayer.media.clip_info import probe
 from tests.material import recording
 
 pytestmark = pytest.mark.realtime
+WALL_S = realtime_minus_monotonic_s()
 
 
 @pytest.fixture
@@ -24,10 +33,10 @@ def board():
 def make(tmp_path, board):
     clock, made = SystemClock(), []
 
-    def start(camera=None, audio=None):
-        source = open_source(board.source, clock)
+    def start(camera=None, audio=None, imu=board.source):
+        source = open_source(imu, clock)
         recorder = Recorder(
-            tmp_path / "take", camera, audio, source, clock, source_name=board.source
+            tmp_path / "take", camera, audio, source, clock, source_name=imu
         )
         recorder.start()
         made.append(recorder)
@@ -83,6 +92,61 @@ def test_an_imu_that_is_unplugged_is_told_and_the_camera_goes_on(make, board):
     assert take.is_finished
     assert [gap.stream for gap in take.gaps] == ["imu"]
     assert take.gaps[0].end_s - take.gaps[0].begin_s > 0.6
+
+
+def test_an_imu_that_comes_back_is_recorded_on_by_its_new_clock(make, board, tmp_path):
+    port = tmp_path / "by-id"
+    port.symlink_to(board.port)
+    recorder = make(imu=board.source.replace(board.port, str(port)))
+    wait_until(recorder, lambda state: state.samples > 300)
+    board.unplug()
+    before = wait_until(recorder, told("taken up again as soon")).samples
+    board.plug_in(port)
+    wait_until(recorder, told("imu: is back"))
+    wait_until(recorder, lambda state: state.samples > before + 300)
+    take = read_take(folder := recorder.stop())
+    assert sum("taken up again" in one for one in take.notices) == 1
+    (gap,) = take.gaps
+    imu = read_recording(folder).imu
+    assert len(imu) == take.imu.count
+    rows = np.searchsorted(imu.time_s, 0.5 * (gap.begin_s + gap.end_s))
+    for part in (imu.part(slice(rows)), imu.part(slice(rows, None))):
+        assert abs(recording.clock_error_s(part, take)) < 0.03
+
+
+def test_a_clock_that_begins_anew_is_told_and_goes_on(tmp_path):
+    """As that of a phone that was restarted, behind the same link."""
+
+    class Restarted:
+        def __init__(self):
+            self.begun_s, self.last_s = clock.now_s(), 0.0
+
+        def read(self, timeout_s):
+            clock.sleep_until(clock.now_s() + min(timeout_s, 0.01))
+            since_s = clock.now_s() - self.begun_s
+            at_s = np.arange(self.last_s + 0.005, since_s, 0.005)
+            if not len(at_s):
+                return Samples.of(())
+            self.last_s = at_s[-1]
+            own_s = np.where(at_s < 1.0, at_s + 500.0, at_s - 1.0)
+            values = recording.rolled(at_s + self.begun_s + WALL_S)
+            return Samples(np.full(len(at_s), clock.now_s()), own_s, values[:, :3], values[:, 3:])  # fmt: skip
+
+        def close(self):
+            """Nothing is held."""
+
+    clock = SystemClock()
+    row = SourceRow("phone", Message("A phone"), "")
+    source = OpenedSource("phone:x", row, Restarted(), LogChoices())
+    recorder = Recorder(tmp_path / "take", None, None, source, clock)
+    recorder.start()
+    wait_until(recorder, told("imu: its clock began anew"))
+    before = recorder.snapshot().samples
+    wait_until(recorder, lambda state: state.samples > before + 200)
+    take = read_take(folder := recorder.stop())
+    assert len(take.restarts) == 1
+    imu = read_recording(folder).imu
+    assert abs(recording.clock_error_s(imu.part(slice(-150, None)), take)) < 0.03
 
 
 def test_a_camera_that_is_unplugged_is_told_and_the_imu_goes_on(make):
