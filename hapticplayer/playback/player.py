@@ -319,6 +319,11 @@ class Player:
         self._reporter.event("latency", **asdict(self._clip.latency))
 
     @property
+    def media_clock(self) -> PlaybackClock:
+        """Media time as a line over the monotonic clock, as it is now."""
+        return self._clip.clock()
+
+    @property
     def first_frame_s(self) -> float | None:
         """When media time 0 was on the screen, monotonic; None before a frame."""
         return self._first_frame_s

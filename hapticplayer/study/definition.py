@@ -68,6 +68,14 @@ class QuestionKind(enum.StrEnum):
     TEXT = "text"
 
 
+class RatingKind(enum.StrEnum):
+    """How somebody rates while a clip plays; see `rating_rules`."""
+
+    SLIDER = "slider"
+    NUMBER = "number"
+    HELD_KEY = "held-key"
+
+
 class When(enum.StrEnum):
     """When a page of questions is shown."""
 
@@ -212,6 +220,37 @@ class QuestionPage(JsonObject, frozen=True):
     scale: Key | None = None
     scores: Several[Score] = ()
     one_by_one: bool = False
+
+
+class LiveRating(JsonObject, frozen=True):
+    """What a participant rates while a clip plays.
+
+    Attributes:
+        key: in data and figures.
+        kind: see RatingKind.
+        text: what is rated.
+        least, most: of a slider or number.
+        labels: of points of a slider.
+        by: what moves a slider; see `rating_rules.MOVERS`.
+        hold: the key that is held.
+        every_s: between two numbers, in the time of the clip.
+        spoken: whether the number is said aloud and the operator enters it.
+        stop_at: the clip ends when the rating is as large.
+        rest: the text of the break after that.
+    """
+
+    key: Key
+    kind: RatingKind
+    text: Text
+    least: Whole | None = None
+    most: Whole | None = None
+    labels: Several[PointLabel] = ()
+    by: Several[str] = ()
+    hold: str | None = None
+    every_s: Annotated[float, Meta(ge=5.0, le=3600.0)] | None = None
+    spoken: bool = False
+    stop_at: Whole | None = None
+    rest: Text | None = None
 
 
 class StudyFeedback(JsonObject, frozen=True):
@@ -363,6 +402,8 @@ class Definition(JsonObject, frozen=True):
         words: labels of buttons.
         use_published: show the published wording where there is one.
         operator_is_blind: hide the condition from the operator.
+        while_watching: what is rated while a clip plays.
+        gap_s: least time from the end of a clip to the beginning of the next one.
         lsl: offer markers and force as LSL streams.
         needed_streams: LSL streams of other programs without which no trial begins.
         lab_recorder: start and stop LabRecorder; no trial begins unless it records.
@@ -386,6 +427,8 @@ class Definition(JsonObject, frozen=True):
     checks: Checks
     levels: Several[ForceLevel] = ()
     repeats: Annotated[int, Meta(ge=1, le=100)] = 1
+    while_watching: Several[LiveRating] = ()
+    gap_s: Annotated[float, Meta(ge=0.0, le=3600.0)] = 0.0
     lsl: bool = False
     needed_streams: Several[Line] = ()
     lab_recorder: bool = False

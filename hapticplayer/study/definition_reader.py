@@ -117,6 +117,8 @@ def _data_keys(made: Definition) -> Iterator[tuple[str, str]]:
     for number, page in enumerate(made.pages):
         for place, score in enumerate(page.scores):
             yield f"pages[{number}].scores[{place}]", score.key
+    for number, rating in enumerate(made.while_watching):
+        yield f"while_watching[{number}]", rating.key
 
 
 def _alike(field: str, keys: Sequence[str], place: str = ".key") -> Iterator[Fault]:
@@ -189,6 +191,10 @@ def _question_faults(made: Definition) -> Iterator[Fault]:
             yield f"{field}.{name}", what, remedy
         yield from _unused_in(field, when, asked)
     yield from _faults_of_scores(made)
+    if made.while_watching:
+        from hapticplayer.study import rating_rules  # few studies have them
+
+        yield from rating_rules.faults(made.while_watching)
 
 
 def _faults_of_scores(made: Definition) -> Iterator[Fault]:

@@ -6,13 +6,14 @@ Every answer and event is on the disk before the next page is shown. The front e
 
 import enum
 from collections.abc import Callable, Mapping
-from typing import Any
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message, StudyError, message_of
 from hapticplayer.storage import StorageError
-from hapticplayer.study.definition import Condition, QuestionPage
+from hapticplayer.study.definition import Condition, LiveRating, QuestionPage
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.pages import Page, PageKind, PageMaker, check_answers
 from hapticplayer.study.plan import describe
@@ -32,6 +33,9 @@ from hapticplayer.study.steps import (
 )
 from hapticplayer.study.streams import Markers, Observer
 from hapticplayer.study.study_folder import Study, save_consent
+
+if TYPE_CHECKING:
+    from hapticplayer.study.watching import Watching
 
 END = "end"
 
@@ -93,12 +97,15 @@ class SessionRunner:
         self.study, self.stage = study, stage
         self.problem = ""
         self.last_trial: PlaybackResult | None = None
+        self.watching: Watching | None = None  # while a clip is rated
+        self._rest = ""
         self._clock, self._conditions = clock, session.plan.order
         self._markers = Markers(observer, session.plan.order)
         self.minutes = self.definition.expected_min(stage.clip_s)
         self.maker = PageMaker(self.definition, self.plan, self.minutes)
         self._steps = steps_of(self.definition, len(self._conditions))
-        self._journal = Journal(session.folder / ANSWERS, clock)
+        self._folder = session.folder
+        self._journal = Journal(self._folder / ANSWERS, clock)
         records = study.session(code).records  # as they are now that it is locked
         self._done = steps_done(records, self.definition)
         self._answered = answered_pages(records, ("answers", BEFORE))
@@ -156,7 +163,9 @@ class SessionRunner:
 
     @property
     def page(self) -> Page:
-        return self.maker.page(self._kind(), self.step, self._number, self._asking)
+        made = self.maker.page(self._kind(), self.step, self._number, self._asking)
+        is_rest = self._rest and made.kind is PageKind.PAUSED
+        return replace(made, text=self._rest) if is_rest else made
 
     @property
     def _asking(self) -> QuestionPage | None:
@@ -358,6 +367,8 @@ class SessionRunner:
 
     def close(self) -> None:
         """Close the journal; a session without an end can be resumed."""
+        if self.watching is not None:
+            self.watching.finish()
         self._journal.close()
 
     # --- polling and storing -------------------------------------------------------
@@ -369,10 +380,23 @@ class SessionRunner:
         is_playing = self._mode in (StepMode.PLAYING, StepMode.SHOWING)
         if is_playing and self.stage.is_stopped:
             self.halt("force_stopped")
+        elif self.watching is not None and (limit := self.watching.limit):
+            self._rest_after(limit)
         elif self._mode is StepMode.PLAYING and self.stage.is_over():
             self._finish_trial(self._ask)
         elif self._mode is StepMode.SHOWING and self.stage.is_over():
             self._enter()
+
+    def _rest_after(self, limit: LiveRating) -> None:
+        """End the clip at a rating that is too large, and offer a break."""
+
+        def rest() -> None:
+            self._mode = StepMode.ASKING
+            self._rest = limit.rest[self.plan.language] if limit.rest else ""
+            self._pause(f"limit:{limit.key}")
+
+        self.stage.halt()
+        self._finish_trial(rest)
 
     def _expect(self, kind: PageKind) -> Page:
         page = self.page
@@ -434,6 +458,12 @@ class SessionRunner:
     def _play(self) -> None:
         self._mode = StepMode.PLAYING
         self.stage.begin()
+        if self.definition.while_watching:
+            from hapticplayer.study.watching import Watching
+
+            trial, at = (position_of(self.step) or 0, self.attempt), self.stage.media_s
+            ratings, folder = self.definition.while_watching, self._folder
+            self.watching = Watching(ratings, folder, trial, self._clock, at)
         self._next_page()
 
     def _show(self) -> None:
@@ -442,7 +472,9 @@ class SessionRunner:
         self._next_page()
 
     def _finish_trial(self, then: Callable[[], None], *reasons: str) -> None:
-        played = self.last_trial = self.stage.played(*reasons)
+        found = self.watching.finish() if self.watching else ()
+        self.watching = None
+        played = self.last_trial = self.stage.played(*reasons, *found)
         self._markers.first_frame(self.step, self.attempt, self.stage.first_frame_s)
         self._store(
             "trial",
@@ -466,6 +498,7 @@ class SessionRunner:
 
     def _after_pause(self) -> None:
         """Return to the questions, or to the start of the trial."""
+        self._rest = ""
         if self._before_pause is StepMode.ASKING:
             self._ask()
         else:

@@ -22,6 +22,7 @@ from hapticplayer.study.plan import (
 from hapticplayer.study.record_check import sound_records
 
 PLAN, DEFINITION_COPY, ANSWERS = "session.json", "study.json", "answers.jsonl"
+LEAVING = ".leaving-"  # begins the name of a session that is being deleted
 
 
 class SessionState(enum.StrEnum):

@@ -70,6 +70,10 @@ class TrialStage(Protocol):
         """When media time 0 was on the screen, monotonic; None before that."""
         ...
 
+    def media_s(self, monotonic_s: float) -> float | None:
+        """Where the clip is at a time; None while it does not run."""
+        ...
+
     @property
     def is_stopped(self) -> bool:
         """Whether the force is stopped until a person re-arms it."""
@@ -152,6 +156,11 @@ class PlayerStage:
     def first_frame_s(self) -> float | None:
         """When media time 0 was on the screen, monotonic; None before that."""
         return _stamp(self.player.first_frame_s)
+
+    def media_s(self, monotonic_s: float) -> float | None:
+        """Where the clip is at a time; None while it does not run."""
+        clock = self.player.media_clock
+        return clock.media_s(monotonic_s) if clock.is_running(monotonic_s) else None
 
     @property
     def is_stopped(self) -> bool:

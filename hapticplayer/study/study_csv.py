@@ -3,11 +3,12 @@
 import codecs
 import csv
 import io
+import math
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hapticplayer import storage
 from hapticplayer.study.answers import Answers
@@ -21,9 +22,13 @@ from hapticplayer.study.definition import (
 )
 from hapticplayer.study.questions import AnswerColumn, kind_of, range_of
 from hapticplayer.study.scoring import PageScores, Scoring, formula_of
-from hapticplayer.study.steps import answered_trials
+from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.steps import AnsweredTrial, answered_trials
 from hapticplayer.study.study_data import StudyData
 from hapticplayer.study.trial_force import LEAST_FORCE_N, MOST_ERROR, TrialForce
+
+if TYPE_CHECKING:
+    from hapticplayer.study.live_ratings import RatingTrack
 
 
 class DataColumn(NamedTuple):
@@ -224,6 +229,7 @@ def _files(data: StudyData) -> Iterator[tuple[str, bytes]]:
         _ratings(data),
         _judgements(answers),
         _trials(data),
+        _while_watching(data),
         _texts(answers),
     ]
     tables = [table for table in made if table.rows]
@@ -285,6 +291,81 @@ def _judgements(answers: Answers) -> DataTable:
     return DataTable("judgements.csv", columns, rows)
 
 
+def _while_watching(data: StudyData) -> DataTable:
+    columns = (
+        _WHO,
+        DataColumn("position", "place in this participant's order, from 1"),
+        DataColumn("attempt", "from 1; more if the trial was repeated"),
+        *_WHERE,
+        DataColumn("rating", "key of the rating"),
+        DataColumn("media_s", "of the clip", "s"),
+        DataColumn(
+            "value",
+            "of the slider or number, 1 while the key was held; empty where a number was "
+            "asked for",
+        ),
+    )
+    if not data.definition.while_watching:
+        return DataTable("while_watching.csv", columns, [])
+    rows = [
+        (*of, round(media_s, 4), None if math.isnan(value) else value)
+        for session in data.sessions
+        for track in data.ratings(session)
+        for of in [_of_track(session.code, track)]
+        for media_s, value in zip(
+            track.media_s.tolist(), track.value.tolist(), strict=True
+        )
+    ]
+    return DataTable("while_watching.csv", columns, rows)
+
+
+def _of_track(code: str, track: "RatingTrack") -> tuple[Any, ...]:
+    condition = track.condition
+    where = condition.sequence, condition.feedback
+    return (code, track.position, track.attempt, *where, track.rating.key)
+
+
+def rating_columns(definition: Definition) -> list[DataColumn]:
+    """The figures of what was rated while the clip played, in a row for each trial."""
+    if not definition.while_watching:
+        return []
+    from hapticplayer.study.live_ratings import FIGURES
+
+    language = definition.languages[0]
+    return [
+        DataColumn(f"{one.key}.{name}", f"{one.text[language]}: {meaning}", unit)
+        for one in definition.while_watching
+        for name, (_, meaning, unit) in FIGURES[one.kind].items()
+    ]
+
+
+def rating_cells(
+    data: StudyData, session: StoredSession
+) -> Callable[[AnsweredTrial], tuple[Any, ...]]:
+    """What gives the values of `rating_columns` of a trial of a session."""
+    ratings = data.definition.while_watching
+    if not ratings:
+        return lambda _trial: ()
+    from hapticplayer.study.live_ratings import FIGURES
+
+    tracks = {
+        (one.position, one.attempt, one.rating.key): one
+        for one in data.ratings(session)
+    }
+
+    def cells(trial: AnsweredTrial) -> tuple[Any, ...]:
+        of = trial.position, trial.attempt
+        found = [(one, tracks.get((*of, one.key))) for one in ratings]
+        values = [
+            figure(track) if track is not None else None
+            for one, track in found
+            for figure, _, _ in FIGURES[one.kind].values()
+        ]
+        return tuple(None if one is None else float(f"{one:.6g}") for one in values)
+
+    return cells
+
+
 def _texts(answers: Answers) -> DataTable:
     columns = (
         _WHO,
@@ -309,7 +390,8 @@ def _texts(answers: Answers) -> DataTable:
 
 def _trials(data: StudyData) -> DataTable:
     given = answer_columns(data.definition, *OF_TRIALS, taken=_TRIAL_COLUMNS)
-    columns = (*_TRIAL_COLUMNS, *(one.column for one in given))
+    rated = rating_columns(data.definition)
+    columns = (*_TRIAL_COLUMNS, *(one.column for one in given), *rated)
     return DataTable("trials.csv", columns, list(_trial_rows(data, given)))
 
 
@@ -319,7 +401,7 @@ def _trial_rows(
     """Yield a row for each answered attempt, including repeated ones."""
     scoring = Scoring(data.definition, *OF_TRIALS)
     for session in data.sessions:
-        forces = data.trial_forces(session)
+        forces, rated = data.trial_forces(session), rating_cells(data, session)
         for trial in answered_trials(session.records):
             condition, values = trial.condition, scoring.completed(trial.values)
             yield (
@@ -337,6 +419,7 @@ def _trial_rows(
                 trial.response_s,
                 *trial_force_cells(forces.get((trial.position, trial.attempt))),
                 *(one.cell(values) for one in given),
+                *rated(trial),
             )
 
 

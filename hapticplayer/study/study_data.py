@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
@@ -15,6 +15,9 @@ from hapticplayer.study.steps import FIRST_FRAME, MARKED, marker_text
 from hapticplayer.study.ticks import tick_chunks
 from hapticplayer.study.trial_force import TrialForce
 from hapticplayer.study.trial_forces import TrialKey, measure_trial_forces
+
+if TYPE_CHECKING:
+    from hapticplayer.study.live_ratings import RatingTrack
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +44,12 @@ class StudyData:
         for ticks in tick_chunks(path, self.notices):
             self.progress(fraction, Message("writing {code}", code=session.code))
             yield ticks
+
+    def ratings(self, session: StoredSession) -> "list[RatingTrack]":
+        """What was rated in a session while its clips played."""
+        from hapticplayer.study.live_ratings import read_ratings  # few studies have it
+
+        return read_ratings(session, self.notices)
 
     def trial_forces(self, session: StoredSession) -> dict[TrialKey, TrialForce]:
         """The measured force per trial of a session that has a record."""

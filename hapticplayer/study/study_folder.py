@@ -3,10 +3,7 @@
 study.json   orders.csv   sessions/CODE/   consents/CODE.json   deleted/ID.json
 """
 
-import json
 import os
-import secrets
-import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -31,16 +28,15 @@ from hapticplayer.study.orders import Assignment, Balance, assign, balance_of
 from hapticplayer.study.plan import Plan, checked_code, is_code, new_code
 from hapticplayer.study.session_folder import (
     ANSWERS,
+    LEAVING,
     SessionState,
     StoredSession,
     create_session,
     read_session,
     sha256,
 )
-from hapticplayer.untrusted import open_regular
 
 SESSIONS, CONSENTS, DELETED = "sessions", "consents", "deleted"
-_LEAVING = ".leaving-"
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,9 +157,11 @@ def open_study(folder: str | Path) -> Study:
     content = read_file(folder / DEFINITION)
     definition = parse_definition(content, str(folder / DEFINITION))
     study = Study(folder, definition, content)
-    if any((folder / SESSIONS).glob(f"{_LEAVING}*")):
+    if any((folder / SESSIONS).glob(f"{LEAVING}*")):
+        from hapticplayer.study import removal
+
         with storage.locked(folder):
-            _finish_deletions(study)
+            removal.finish(folder / SESSIONS, folder / DELETED)
     return study
 
 
@@ -238,71 +236,17 @@ def delete_participant(study: Study, code: str) -> list[str]:
         Files in the study's folder that still contain the code, such as earlier
         reports, which have to be made again.
     """
+    from hapticplayer.study import removal  # a session has no use for it
+
     folder = study.session_folder(code)
-    code = folder.name
-    with storage.locked(study.folder):
-        _mark_for_deletion(study, folder)
-        _finish_deletions(study)
-    return _files_with(study.folder, code.encode())
-
-
-def _mark_for_deletion(study: Study, folder: Path) -> None:
-    """Remove the consent, and give the session a name without the code."""
     consent = study.folder / CONSENTS / f"{folder.name}.json"
-    if not folder.exists() and not consent.exists():
-        study.session(folder.name)
-    refuse_if_open(folder / ANSWERS)
-    storage.make_folder(study.folder / DELETED)
-    try:
-        consent.unlink(missing_ok=True)
-        if folder.exists():
-            leaving = folder.with_name(f"{_LEAVING}{secrets.token_hex(8)}")
-            folder.rename(leaving)
-        for changed in (consent.parent, study.folder / SESSIONS):
-            if changed.is_dir():
-                storage.sync_folder(changed)
-    except OSError as problem:
-        raise storage.StorageError.of(problem, folder) from problem
-
-
-def _finish_deletions(study: Study) -> None:
-    """Remove and count sessions that are marked for deletion; a full disk has room then."""
-    for leaving in (study.folder / SESSIONS).glob(f"{_LEAVING}*"):
-        name = leaving.name.removeprefix(_LEAVING)
-        stone = {"deleted_utc": utc_now_iso()}
-        try:
-            for path in list(leaving.iterdir()):
-                shutil.rmtree(path) if path.is_dir() else path.unlink()
-            storage.make_folder(study.folder / DELETED)
-            storage.replace_file(
-                study.folder / DELETED / f"{name}.json",
-                json.dumps(stone).encode(),
-                storage.PRIVATE_FILE,
-            )
-            leaving.rmdir()
-            storage.sync_folder(leaving.parent)
-        except OSError as problem:
-            raise storage.StorageError.of(problem, leaving) from problem
-
-
-def _files_with(folder: Path, code: bytes) -> list[str]:
-    found = []
-    for path in sorted(folder.rglob("*")):
-        if path.is_symlink() or not path.is_file():
-            continue
-        if code in os.fsencode(path.name) or _contains(path, code):
-            found.append(str(path.relative_to(folder)))
-    return found
-
-
-def _contains(path: Path, code: bytes) -> bool:
-    kept = b""
-    with open_regular(path, StudyError) as reader:
-        while chunk := reader.read(1 << 20):
-            if code in kept + chunk:
-                return True
-            kept = chunk[-len(code) :]
-    return False
+    with storage.locked(study.folder):
+        if not folder.exists() and not consent.exists():
+            study.session(folder.name)
+        refuse_if_open(folder / ANSWERS)
+        removal.mark(folder, consent, study.folder / DELETED)
+        removal.finish(folder.parent, study.folder / DELETED)
+    return removal.files_with(study.folder, folder.name.encode())
 
 
 class Consent(JsonObject, frozen=True, kw_only=True):

@@ -44,6 +44,10 @@ class FakeStage:
         self.first_frame_s = round(self.clock.now_s() + 0.012, 6)
         self.playing, self.ended = True, False
 
+    def media_s(self, monotonic_s):
+        since_s = monotonic_s - self.first_frame_s
+        return since_s if self.playing and since_s >= 0.0 else None
+
     def is_over(self):
         return self.ended
 
