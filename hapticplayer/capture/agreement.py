@@ -41,6 +41,7 @@ if TYPE_CHECKING:
 
 _WINDOW_ROWS, _CALM_PERCENT = 32, 20.0
 _MOST_ANSWERS, _GAP_OF_A_MISTAKE = 3, 2.0
+_DAMAGED_LOG_SCALE = math.log(20.0)
 _KEYS = "accel_axes", "rate_axes"
 
 
@@ -80,7 +81,8 @@ def ask_about_agreement(
         where: the file.
         axes: right, front, up of frame A in the stored axes.
         rate_unit: that the gyroscope was read in.
-        is_of_camera: its maker states the scale; that gravity shows another is noted.
+        is_of_camera: its maker states the scale; that gravity shows another is noted, but
+            for one so far off that it is damage.
     """
     from hapticplayer.motion.repair.rotation import dead_axes, doubt_about
 
@@ -93,7 +95,8 @@ def ask_about_agreement(
         if found is None or is_factor(choices.rate_unit, RATE_UNITS):
             return ()
         what, answers = found
-        if is_of_camera:
+        is_damage = scale is not None and abs(math.log(scale)) > _DAMAGED_LOG_SCALE
+        if is_of_camera and not is_damage:
             return (what,)
     elif doubt.delay_s:
         what, answers = _delayed(doubt.delay_s)

@@ -29,7 +29,6 @@ from hapticplayer.capture.choices import (
     factor,
     is_factor,
     kept_as,
-    rate_unit_times,
 )
 from hapticplayer.capture.formats import Confidence, Reader, WhyNot, without_reason
 from hapticplayer.capture.mounting import axes_matrix, mounted
@@ -109,7 +108,7 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
     in_si = _in_si(samples, raw)
     del samples
     try:
-        imu, repairs = _cleaned(in_si, raw, choices, where)
+        imu, repairs = _cleaned(in_si, raw, where)
     except InputError as error:
         ask_about_units(error, part, raw, choices, where)
         raise _in_its_names(error, raw) from error
@@ -178,14 +177,13 @@ def as_answered(recording: Recording, choices: LogChoices) -> Recording:
     force, rate = own_axes((imu.specific_force_mps2, imu.angular_rate_radps), choices)
     if choices.take("accel_sign") == "-":
         force = -force
-    imu = dataclasses.replace(imu, specific_force_mps2=force, angular_rate_radps=rate)
     unit = choices.rate_unit or "rad/s"
+    is_of_camera = recording.placing is not None
+    if is_of_camera and choices.take("rate_unit"):
+        rate = rate * factor(unit, RATE_UNITS, "rate-unit")
+    imu = dataclasses.replace(imu, specific_force_mps2=force, angular_rate_radps=rate)
     notes = ask_about_agreement(
-        imu,
-        choices,
-        imu.source,
-        rate_unit=unit,
-        is_of_camera=recording.placing is not None,
+        imu, choices, imu.source, rate_unit=unit, is_of_camera=is_of_camera
     )
     return dataclasses.replace(
         recording,
@@ -271,15 +269,11 @@ def _finite(values: Floats) -> Floats:
 
 
 def _cleaned(
-    samples: AlignedSamples, raw: RawLog, choices: LogChoices, where: str
+    samples: AlignedSamples, raw: RawLog, where: str
 ) -> tuple[ImuLog, tuple["Repair", ...]]:
     from hapticplayer.motion.repair import repair_samples  # brings scipy along
 
-    imu, repairs = repair_samples(
-        *samples[:4],
-        source=where,
-        is_rate_unit_known=is_factor(choices.rate_unit, RATE_UNITS),
-    )
+    imu, repairs = repair_samples(*samples[:4], source=where)
     if not raw.is_gravity_free:
         return imu, repairs
     free = np.asarray(imu.specific_force_mps2 - _ONE_G)
@@ -297,11 +291,9 @@ def ask_about_units(
     """Ask about the units if the log was refused and a part of it would fit others."""
     _ask_about_time(error, part.time_s, choices, where)
     rate_units = [*dict.fromkeys([raw.rate_unit, "rad/s", "deg/s"])]
-    if times := error.what.values.get("times"):
-        rate_units = [rate_unit_times(times, raw.rate_unit)]
-    elif is_factor(choices.rate_unit, RATE_UNITS):
+    if is_factor(choices.rate_unit, RATE_UNITS):
         rate_units = [raw.rate_unit]
-    answers: list[str] = _other_units(part, raw, choices, where, rate_units)
+    answers: list[str] = _other_units(part, raw, where, rate_units)
     if not answers:
         return
     what = Message(_WOULD_FIT, what=error.what)
@@ -334,7 +326,6 @@ def _ask_about_time(
 def _other_units(
     part: AlignedSamples,
     raw: RawLog,
-    choices: LogChoices,
     where: str,
     rate_units: list[str],
 ) -> list[str]:
@@ -349,7 +340,7 @@ def _other_units(
             words = _unit_words(other, raw)
             if not words:
                 continue
-            off = _off_gravity(part, other, choices, where)
+            off = _off_gravity(part, other, where)
             if off is not None:
                 fits.append((off, words))
         if fits:
@@ -366,14 +357,13 @@ def _unit_words(other: RawLog, raw: RawLog) -> str:
     return joined(Message(" and "), words)
 
 
-def _off_gravity(
-    part: AlignedSamples, raw: RawLog, choices: LogChoices, where: str
-) -> float | None:
+def _off_gravity(part: AlignedSamples, raw: RawLog, where: str) -> float | None:
     """How far a part of a log in these units is off gravity; None if it cannot be used."""
+    from hapticplayer.motion.repair.rotation import doubt_about
     from hapticplayer.motion.repair.units import calm_norm
 
     try:
-        imu, _ = _cleaned(_in_si(part, raw), raw, choices, where)
+        imu, _ = _cleaned(_in_si(part, raw), raw, where)
     except InputError:
         return None
     if raw.is_gravity_free:
@@ -385,5 +375,8 @@ def _off_gravity(
     elif low <= at_rest <= high:
         norm = at_rest
     else:
+        return None
+    doubt = doubt_about(imu)
+    if doubt is not None and doubt.scale is not None:
         return None
     return abs(math.log(norm / STANDARD_GRAVITY_MPS2))

@@ -23,7 +23,6 @@ from hapticplayer.capture.choices import (
     RATE_UNITS,
     LogChoices,
     factor,
-    is_factor,
 )
 from hapticplayer.capture.csv_table import (
     FIELD_COLUMNS,
@@ -122,11 +121,7 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
     try:
         _check_accel(samples.accel, where)
         _check_rate(samples.rate, where)
-        imu, repairs = repair_samples(
-            *samples[:4],
-            source=where,
-            is_rate_unit_known=is_factor(choices.rate_unit, RATE_UNITS),
-        )
+        imu, repairs = repair_samples(*samples[:4], source=where)
     except InputError as error:
         ask_about_units(error, stored, raw, choices, where)
         raise InputError(

@@ -460,7 +460,6 @@ def _refusals() -> list[Case]:
         refused("0 samples", "number of samples is 0", taken(slice(0, 0))),
         refused("acc in g", r"multiply it by 9\.80665", scaled("force", 1 / 9.80665)),
         refused("acc in mg", r"by 0\.00980665", scaled("force", 1e3 / 9.80665)),
-        refused("gyro in deg/s", "seems to be in deg/s", scaled("rate", 180 / np.pi)),
         refused("acc all 0", "specific_force.* zero", put("force", slice(None), 0.0)),
         refused(
             "acc all NaN", "specific_force.* row 0", put("force", slice(None), nan)

@@ -37,8 +37,6 @@ VELOCITY_FLOOR_MPS = 0.3
 CLOCK_FLOOR_MPS = 0.1
 # The accelerometer bears witness to a gyro that turns gravity by so much.
 LEAST_TURN_RAD = 0.1
-# Signs that explain a rate so much better than another unit are what is wrong.
-SURELY_AXES = 1.0
 # The least evidence against a gyro as it is, less that of one window. Right recordings with
 # optical truth and simulated rides, in parts of 10 s to the whole, show in 20 s -0.6 for
 # other axes and -1.1 for other clocks; for other scales -1.5, as what swings keeps the force
@@ -315,12 +313,6 @@ def likeliest_axes(windows: RotationWindows) -> Doubt:
     gaps = [(value - best[0], changes[at]) for value, at in others if value < 0.0]
     near = tuple(one for one in gaps if one[0] < NEARLY_AS_LIKELY)
     return Doubt(best[0], changes[best[1]], near)
-
-
-def of_signs(windows: RotationWindows) -> float:
-    """The log likelihood ratio of the rate to that with the likeliest signs."""
-    flips = [-np.eye(3), *(np.eye(3) - 2.0 * np.diag(axis) for axis in np.eye(3))]
-    return float(windows.evidence(np.array(flips)).min())
 
 
 def turns_gravity(imu: ImuLog) -> bool:

@@ -29,7 +29,7 @@ from hapticplayer.motion.repair.timestamps import (
     repair_times,
     row_of,
 )
-from hapticplayer.motion.repair.units import check_force_unit, check_rate_unit
+from hapticplayer.motion.repair.units import check_force_unit
 
 Flags = NDArray[np.bool_]
 
@@ -66,7 +66,7 @@ _ANGULAR_RATE = _Sensor("angular_rate_radps", RepairKind.RATE_FILLED, MAX_ANY_RA
 _MAGNETIC_FIELD = _Sensor("magnetic_field_ut", RepairKind.FIELD_FILLED, MAX_ANY_FIELD)
 
 
-def repair_samples(  # noqa: PLR0913 - what a logger knows
+def repair_samples(
     time_s: ArrayLike,
     specific_force_mps2: ArrayLike,
     angular_rate_radps: ArrayLike,
@@ -74,7 +74,6 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
     *,
     sampling: Sampling = Sampling.INSTANT,
     source: str = "",
-    is_rate_unit_known: bool = False,
 ) -> Repaired:
     """Turn raw samples into a log, with every flaw repaired, marked or refused.
 
@@ -91,8 +90,6 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
         magnetic_field_ut: (N, 3) or None.
         sampling: what one sample stands for.
         source: where it came from, for messages.
-        is_rate_unit_known: a person has given the unit of the angular rate, so that a
-            contradiction is reported, not refused.
     """
     times, sensors = _arrays(
         time_s, specific_force_mps2, angular_rate_radps, magnetic_field_ut, source
@@ -112,11 +109,6 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
         _fill(values, lost, line, repairs, sensor)
     field = _field(sensors[2], line, repairs) if len(sensors) > 2 else None
     _check_motion(line, force, rate, repairs, source)
-    doubt = check_rate_unit(
-        line.time_s, force, rate, source, is_known=is_rate_unit_known
-    )
-    if doubt:
-        repairs.append(Repair(RepairKind.UNIT_IN_DOUBT, len(rate), 0, doubt))
     is_valid = ~(lost_force | lost_rate)
     for own in (force, rate, *([] if field is None else [field])):
         own.setflags(write=False)  # then the log takes it instead of another copy

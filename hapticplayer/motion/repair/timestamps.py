@@ -53,7 +53,6 @@ class RepairKind(enum.StrEnum):
     FIELD_FILLED = "field filled"
     FIELD_DROPPED = "field dropped"
     NO_ROTATION = "no rotation"
-    UNIT_IN_DOUBT = "unit in doubt"
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from hapticplayer.capture import read_recording
+from hapticplayer.capture.assemble import as_answered
+from hapticplayer.capture.choices import LogQuestion, parse_choices
 from hapticplayer.capture.gopro import read_gopro
 from hapticplayer.errors import TelemetryError
 from hapticplayer.media.telemetry import TelemetryPacket
@@ -148,9 +150,16 @@ def test_orientations_without_accelerations_are_refused():
         )
 
 
-def test_a_rate_in_degrees_is_rejected():
+def test_a_rate_in_degrees_is_asked_about():
     """A damaged SCAL: the angular rate is 57 times too high."""
     clean = sample(apart=True, seconds=40.0)
+    right = as_answered(read_gopro(packets(clean), "clip.mp4"), parse_choices([]))
     clean.rate[:] = np.degrees(clean.rate)
-    with pytest.raises(TelemetryError, match="57 times too high"):
-        read_gopro(packets(clean), "clip.mp4")
+    damaged = read_gopro(packets(clean), "clip.mp4")
+    with pytest.raises(LogQuestion, match="57 times too high") as asked:
+        as_answered(damaged, parse_choices([]))
+    answer = str(asked.value.answers[0]).split()[0]
+    mended = as_answered(damaged, parse_choices([answer]))
+    np.testing.assert_allclose(
+        mended.imu.angular_rate_radps, right.imu.angular_rate_radps, atol=1e-3
+    )

@@ -188,19 +188,3 @@ def test_more_samples_than_the_limit_are_refused(arrays, monkeypatch):
 def test_a_gyroscope_that_says_nothing_is_mentioned(arrays):
     arrays[2][:] = 0.0
     assert kinds(repair_samples(*arrays)) == {RepairKind.NO_ROTATION: COUNT}
-
-
-def test_a_known_unit_of_the_angular_rate_is_not_refused(swing):
-    log, _ = swing
-    given = log.time_s, log.specific_force_mps2, np.degrees(log.angular_rate_radps)
-    with pytest.raises(InputError, match="deg/s"):
-        repair_samples(*given)
-    known = repair_samples(*given, is_rate_unit_known=True)
-    assert kinds(known) == {RepairKind.UNIT_IN_DOUBT: len(log)}
-
-
-def test_a_unit_in_doubt_is_reported(rng):
-    """Fast rotation about the force, which shows no unit."""
-    force = np.tile([0.0, 0.0, STANDARD_GRAVITY_MPS2], (COUNT, 1))
-    rate = np.tile([0.0, 0.0, 20.0], (COUNT, 1)) + rng.normal(0.0, 0.01, (COUNT, 3))
-    assert kinds(repair_samples(T, force, rate)) == {RepairKind.UNIT_IN_DOUBT: COUNT}

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from hapticplayer.extras.rides.motion_scenes import simulate_motion
-from hapticplayer.model import ImuLog
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.motion.repair.rotation import (
     dead_axes,
     doubt_about,
@@ -13,7 +14,9 @@ from hapticplayer.motion.repair.rotation import (
 )
 
 PIECE_S, EVERY = 20.0, 7
-SHORT_S = 15.0
+SHORT_S, CLIP_S = 15.0, 10.0
+T = np.arange(0, 20, 0.01)
+DEGREES = 180.0 / np.pi
 
 
 def read(path):
@@ -144,3 +147,68 @@ def test_turns_about_the_vertical_tell_nothing_of_axes(rng):
 
 def test_a_recording_that_turns_tells_of_axes(turning):
     assert turns_gravity(log_of(*turning))
+
+
+def swinging_arm(seed, tilted=False):
+    """A sensor on a pendulum's bob, where the force stays along the rod.
+
+    With theta = A sin(w t), a bob at r has r theta'' + g sin(theta) across the rod,
+    left out where the force is along it alone, and g cos(theta) + r theta'^2 along it.
+    """
+    rng = np.random.default_rng(seed)
+    t = T[T < CLIP_S]
+    amplitude, r = np.radians(rng.uniform(20.0, 75.0)), rng.uniform(0.35, 0.8)
+    g = STANDARD_GRAVITY_MPS2
+    w = np.sqrt(g / r) * (1.0 - amplitude**2 / 16.0)
+    phase = w * t + rng.uniform(0.0, 2.0 * np.pi)
+    theta, speed = amplitude * np.sin(phase), amplitude * w * np.cos(phase)
+    none = np.zeros_like(t)
+    across = g * np.sin(theta) - r * w**2 * theta if tilted else none
+    along = g * np.cos(theta) + r * speed**2
+    mounted = Rotation.random(rng=rng)
+    force = mounted.apply(np.stack([none, across, along], axis=1))
+    rate = mounted.apply(np.stack([speed, none, none], axis=1))
+    bias = rng.normal(0.0, 0.03, 3)
+    shape = (len(t), 3)
+    force += 0.2 * rng.standard_normal(shape)
+    return t, force, rate + bias + 0.01 * rng.standard_normal(shape)
+
+
+@pytest.mark.parametrize("tilted", [False, True])
+def test_swinging_arms_pass_in_rad_and_not_in_degrees(tilted):
+    for seed in range(30):
+        t, force, rate = swinging_arm(seed, tilted)
+        assert doubt_about(log_of(t, force, rate)) is None
+        doubt = doubt_about(log_of(t, force, DEGREES * rate))
+        assert doubt is not None
+        assert doubt.scale == pytest.approx(1.0 / DEGREES)
+
+
+def test_a_rate_that_was_converted_twice_is_told():
+    angle = 1.2 * np.sin(1.5 * T)
+    force = Rotation.from_rotvec(np.outer(-angle, [1.0, 0, 0])).apply([0, 0, 9.8])
+    rate = np.outer(1.8 * np.cos(1.5 * T), [1.0, 0, 0])
+    assert doubt_about(log_of(T, force, rate)) is None
+    doubt = doubt_about(log_of(T, force, rate / DEGREES))
+    assert doubt is not None
+    assert doubt.scale == pytest.approx(DEGREES)
+
+
+@pytest.mark.parametrize("bias", [(0, 0, 0), (0.1, -0.1, 0.1), (0.0, 0.61, 1.9)])
+def test_rest_and_its_bias_are_not_doubted(rng, bias):
+    force = [0.0, 3.0, 9.3] + 0.02 * rng.standard_normal((len(T), 3))
+    rate = np.array(bias) + 0.003 * rng.standard_normal((len(T), 3))
+    assert doubt_about(log_of(T, force, rate)) is None
+
+
+def test_ten_seconds_of_phones_in_degrees_are_told(shared_data):
+    paths = sorted((shared_data / "orientation" / "averaged_30hz").glob("tyrex*"))
+    assert paths
+    for path in paths:
+        time_s, force, rate = read(path)
+        for part in pieces(time_s, CLIP_S):
+            given = time_s[part], force[part]
+            assert doubt_about(log_of(*given, rate[part])) is None
+            doubt = doubt_about(log_of(*given, DEGREES * rate[part]))
+            assert doubt is not None
+            assert doubt.scale == pytest.approx(1.0 / DEGREES)
