@@ -14,6 +14,7 @@ import scipy
 from benchmarks.common import Report
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.cumulative_link import LinkFunction, fit
+from hapticplayer.study.analysis.model_power import LatentPopulation
 from hapticplayer.study.analysis.ordinal_mixed import ordered_answers
 
 LIMITS = (0.93, 0.97)
@@ -29,6 +30,11 @@ class Setting(NamedTuple):
     effects: tuple[float, ...]
     of_people: float
     of_clips: float
+
+    def drawn(self, rng: np.random.Generator) -> Floats:
+        truth = np.array(self.effects), self.of_people, self.of_clips
+        population = LatentPopulation(self.link, np.array(CUTS), *truth)
+        return population.drawn(self.people, self.clips, rng)
 
 
 SETTINGS = (
@@ -51,7 +57,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
         rng = np.random.default_rng([2012, number])
         found, processor_s = [], time.process_time()
         for _ in range(studies):
-            answers = ordered_answers(drawn(setting, rng))
+            answers = ordered_answers(setting.drawn(rng))
             model = fit(answers, setting.link) if answers else None
             if model is not None:
                 found.append((model.effects - setting.effects) / model.errors)
@@ -68,14 +74,3 @@ def run(options: argparse.Namespace, report: Report) -> None:
     report.figures["settings"] = rows
     header = ["model", "studies", "coverage", "mean error / SE", "fit, processor ms"]
     report.table("Coverage of 95 % intervals", header, rows, "coverage")
-
-
-def drawn(setting: Setting, rng: np.random.Generator) -> Floats:
-    """Answers (P, S, F) from 1 to 5."""
-    shape = (setting.people, setting.clips, 1 + len(setting.effects))
-    is_logit = setting.link is LinkFunction.LOGIT
-    latent = rng.logistic(size=shape) if is_logit else rng.normal(size=shape)
-    latent += setting.of_people * rng.normal(size=(setting.people, 1, 1))
-    latent += setting.of_clips * rng.normal(size=(setting.clips, 1))
-    latent += np.array([0.0, *setting.effects])
-    return 1.0 + np.searchsorted(CUTS, latent)

@@ -7,7 +7,13 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.cli import OpenWindow, study_analysis, study_scales
+from hapticplayer.cli import (
+    OpenWindow,
+    study_analysis,
+    study_power,
+    study_preregister,
+    study_scales,
+)
 from hapticplayer.cli.common import add_outputs, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
@@ -45,6 +51,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     _add_delete(actions)
     study_scales.add_actions(actions)
     study_analysis.add_actions(actions)
+    study_power.add_actions(actions)
+    study_preregister.add_actions(actions)
 
 
 def add_action(actions: Any, name: str, summary: str, run: Run | None = None) -> Any:

@@ -1,4 +1,4 @@
-"""The actions `study analyse`, `simulate` and `power`."""
+"""The actions `study analyse` and `simulate`, and options that plans have, too."""
 
 import argparse
 import contextlib
@@ -9,7 +9,6 @@ from typing import Any
 
 from hapticplayer.cli.common import (
     add_number,
-    refuse_idle,
     say,
     say_aside,
     shown_progress,
@@ -20,9 +19,7 @@ from hapticplayer.installation import require
 from hapticplayer.model import Feedback, ranges
 from hapticplayer.rendering import condition_named
 from hapticplayer.simulation.participants import (
-    draw_effect,
     effect_named,
-    for_feedbacks,
     paper_effect,
     simulated_answers,
 )
@@ -42,22 +39,12 @@ from hapticplayer.study.analysis import (
 )
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.parts import ReportParts
-from hapticplayer.study.analysis.power import (
-    TESTS,
-    Draw,
-    Power,
-    PowerGoal,
-    draw_pilot,
-    find_power,
-    power_summary,
-)
 from hapticplayer.study.analysis.report import (
     analyse_study,
     write_report,
 )
-from hapticplayer.study.analysis.scores import sample_of, scores_of
 from hapticplayer.study.answers import collect_answers, read_answers
-from hapticplayer.study.creation import chosen_text, new_definition
+from hapticplayer.study.creation import new_definition
 from hapticplayer.study.definition import StudyFeedback, TrialKind
 from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.study_folder import Study, open_study
@@ -69,11 +56,12 @@ def add_actions(actions: Any) -> None:
     """Add the actions to the sub-parsers of `study`."""
     _add_analyse(actions)
     _add_simulate(actions)
-    _add_power(actions)
 
 
 def _add_analyse(actions: Any) -> None:
-    action = _action(actions, "analyse", "statistics and figures of a study", analyse)
+    action = new_action(
+        actions, "analyse", "statistics and figures of a study", analyse
+    )
     action.formatter_class = argparse.RawDescriptionHelpFormatter
     action.epilog = "statistics of ratings:\n" + "\n".join(
         f"  {name:<20}  {one.title}" for name, one in STATISTICS.items()
@@ -85,6 +73,11 @@ def _add_analyse(actions: Any) -> None:
         type=Path,
         help="write the report (HTML, PDF), figures and numbers into a new folder",
     )
+    add_options_of_analysis(action)
+
+
+def add_options_of_analysis(action: argparse.ArgumentParser) -> None:
+    """Add the options that change the numbers, beside the seed."""
     action.add_argument(
         "--missing",
         choices=[policy.value for policy in MissingPolicy],
@@ -99,8 +92,16 @@ def _add_analyse(actions: Any) -> None:
     )
 
 
+def options_of_analysis(options: argparse.Namespace) -> AnalysisOptions:
+    return AnalysisOptions(
+        MissingPolicy(options.missing),
+        options.include_invalid,
+        Resampling(options.seed),
+    )
+
+
 def _add_simulate(actions: Any) -> None:
-    action = _action(
+    action = new_action(
         actions, "simulate", "add simulated participants to a study", simulate
     )
     action.add_argument(
@@ -111,38 +112,11 @@ def _add_simulate(actions: Any) -> None:
     )
     most = ranges.SIMULATED_PARTICIPANTS
     add_number(action, "--participants", most, default=15, metavar="N")
-    _add_effect(action)
-    _add_like(action)
+    add_effect(action)
+    add_like(action)
 
 
-def _add_power(actions: Any) -> None:
-    action = _action(actions, "power", "how many participants a design needs", power)
-    action.add_argument(
-        "study",
-        metavar="NAME",
-        type=Path,
-        nargs="?",
-        help="a pilot study whose participants stand for the others (default: the "
-        "population of --effect)",
-    )
-    _add_effect(action)
-    add_feedback(action, "of the design (default: none, random, realistic)")
-    _add_like(action)
-    action.add_argument(
-        "--measure", default="qoe", help="qoe (default) or the key of a factor"
-    )
-    action.add_argument("--sequences", type=int, default=4, metavar="N")
-    action.add_argument("--alpha", type=float, default=0.05)
-    action.add_argument("--power", type=float, default=0.8, metavar="SHARE")
-    action.add_argument(
-        "--largest", type=int, default=60, metavar="N", help="participants to try"
-    )
-    action.add_argument(
-        "--studies", type=int, default=2000, metavar="N", help="to simulate"
-    )
-
-
-def _add_effect(action: argparse.ArgumentParser) -> None:
+def add_effect(action: argparse.ArgumentParser) -> None:
     action.add_argument(
         "--effect",
         default="paper",
@@ -162,7 +136,7 @@ def add_feedback(action: argparse.ArgumentParser, text: str) -> None:
     )
 
 
-def _add_like(action: argparse.ArgumentParser) -> None:
+def add_like(action: argparse.ArgumentParser) -> None:
     action.add_argument(
         "--like",
         action="append",
@@ -173,7 +147,7 @@ def _add_like(action: argparse.ArgumentParser) -> None:
     )
 
 
-def _action(
+def new_action(
     actions: Any, name: str, summary: str, run: Callable[[argparse.Namespace], int]
 ) -> argparse.ArgumentParser:
     action: argparse.ArgumentParser = actions.add_parser(
@@ -185,19 +159,12 @@ def _action(
     return action
 
 
-_MOST_SEQUENCES = 20
-
-
 def analyse(options: argparse.Namespace) -> int:
     """Print the statistics of a study, and write its report where that is wanted."""
     if options.output is not None:
         require("study", Message("writing a report"))
         refuse_existing(options.output, FOLDER)
-    choices = AnalysisOptions(
-        MissingPolicy(options.missing),
-        options.include_invalid,
-        Resampling(options.seed),
-    )
+    choices = options_of_analysis(options)
     with shown_progress() as progress:
         found = analyse_study(
             read_answers(options.study, lambda f, step: progress(0.3 * f, step)),
@@ -211,7 +178,7 @@ def analyse(options: argparse.Namespace) -> int:
                 found.answers.conduct.title,
                 lambda f, step: progress(0.6 + 0.4 * f, step),
             )
-    say(_json(found.numbers) if options.json else _analysis_text(found))
+    say(as_json(found.numbers) if options.json else _analysis_text(found))
     if options.output is not None and not options.json:
         say(f"\nreport: {options.output / 'report.html'}")
     return 0
@@ -224,9 +191,9 @@ def simulate(options: argparse.Namespace) -> int:
         like, origin, codes = _simulated(study, options)
     report = {"study": str(options.study), **origin, "participants": codes}
     text = f"{options.study}: {len(codes)} simulated participants, marked as such"
-    say(_json(report) if options.json else text)
+    say(as_json(report) if options.json else text)
     if not options.json:
-        _say_assumed(like)
+        say_assumed(like)
         if origin["at_random"]:
             say_aside(f"answered at random: {', '.join(origin['at_random'])}")
     return 0
@@ -239,7 +206,7 @@ def _simulated(
     design, paper = collect_answers(study), paper_effect()
     if study.definition.trial is not TrialKind.RATING:
         raise UsageError("only rating studies can be simulated")
-    like = _rated_like(study.definition.chosen_feedbacks, options.like)
+    like = rated_like(study.definition.chosen_feedbacks, options.like)
     answers = simulated_answers(
         options.participants,
         options.effect,
@@ -253,7 +220,7 @@ def _simulated(
     return like, origin, write_answers(study, answers, SystemClock(), origin=origin)
 
 
-def _rated_like(
+def rated_like(
     feedbacks: Iterable[StudyFeedback], given: Iterable[str]
 ) -> dict[str, str]:
     """Return the paper's condition that each feedback is rated like, by key."""
@@ -272,55 +239,13 @@ def _rated_like(
     return like
 
 
-def _say_assumed(like: Mapping[str, str]) -> None:
+def say_assumed(like: Mapping[str, str]) -> None:
     assumed = [f"{key} like {name}" for key, name in like.items() if key != name]
     if assumed:
         say_aside(f"assumed, not measured: {', '.join(assumed)} (--like changes it)")
 
 
-def power(options: argparse.Namespace) -> int:
-    """Tell how many participants a design needs."""
-    goal = PowerGoal(
-        options.alpha, options.power, options.largest, options.studies, options.seed
-    )
-    draw, feedbacks, source = _population(options)
-    with shown_progress() as progress:
-        found = find_power(draw, feedbacks, goal, progress)
-    report = {"population": source, "measure": options.measure, **power_summary(found)}
-    say(_json(report) if options.json else _power_text(found, options.measure, source))
-    return 0
-
-
-def _population(options: argparse.Namespace) -> tuple[Draw, tuple[str, ...], str]:
-    if options.study is None:
-        if not 1 <= options.sequences <= _MOST_SEQUENCES:
-            raise UsageError(f"--sequences: 1 to {_MOST_SEQUENCES} can be simulated")
-        effect = effect_named(options.effect)
-        if options.feedback:
-            feedbacks = [chosen_text(text) for text in options.feedback]
-            like = _rated_like(feedbacks, options.like)
-            effect = for_feedbacks(effect, like)
-            _say_assumed(like)
-        else:
-            refuse_idle(options, "without --feedback", "--like")
-        draw = draw_effect(effect, options.measure, options.sequences)
-        return draw, effect.feedbacks, f"effect {effect.name}"
-    for_a_plan = ("--sequences", "--effect", "--feedback", "--like")
-    refuse_idle(options, f"with the answers of {options.study.name}", *for_a_plan)
-    scores = scores_of(read_answers(options.study))
-    if options.measure not in scores.measures:
-        known = ", ".join(scores.measures)
-        raise UsageError(
-            "there is no measure {measure!r}; choose one of {known}",
-            measure=options.measure,
-            known=known,
-        )
-    pilot = sample_of(scores, options.measure)
-    source = f"{len(pilot.values)} participants of {options.study.name}"
-    return draw_pilot(pilot), pilot.feedbacks, source
-
-
-def _json(report: dict[str, Any]) -> str:
+def as_json(report: dict[str, Any]) -> str:
     return json.dumps(report, ensure_ascii=False, allow_nan=False)
 
 
@@ -330,21 +255,6 @@ def _analysis_text(found: ReportParts) -> str:
     lines = (line.replace("\n", "\n  ") for line in found.lines)
     notes = (f"note: {one}" for one in numbers["warnings"])
     return "\n".join([people, *(f"  {line}" for line in lines), *notes])
-
-
-def _power_text(found: Power, measure: str, source: str) -> str:
-    goal = found.goal
-    lines = [
-        (
-            f"{measure}, {source}: participants for a power of {goal.power:g} at "
-            f"alpha {goal.alpha:g} ({goal.studies} simulated studies, power known "
-            f"within {2.0 * found.standard_error:.3f})"
-        )
-    ]
-    for name, needed in found.needed.items():
-        text = f"{needed}" if needed is not None else f"more than {goal.largest}"
-        lines.append(f"  {name:<20}{text}")
-    return "\n".join([*lines, f"tests: {TESTS}"])
 
 
 @contextlib.contextmanager

@@ -150,8 +150,13 @@ def drawn_ratings(
     return np.asarray(np.clip(np.rint(scatter, out=scatter), *SCALE, out=scatter))
 
 
-def draw_effect(effect: PopulationEffect, measure: str, sequences: int) -> Draw:
-    """Return draws of participants of a population with a known effect."""
+def drawn_measure(
+    effect: PopulationEffect,
+    measure: str,
+    shape: tuple[int, int, int],
+    rng: np.random.Generator,
+) -> Floats:
+    """QoE or a factor of drawn ratings: (studies, participants, sequences, F)."""
     if measure != QOE and measure not in effect.factors:
         known = ", ".join((QOE, *effect.factors))
         raise UsageError(
@@ -160,11 +165,18 @@ def draw_effect(effect: PopulationEffect, measure: str, sequences: int) -> Draw:
             known=known,
         )
 
+    ratings = drawn_ratings(effect, shape, rng)
+    if measure == QOE:
+        return np.asarray(ratings.sum(axis=4))
+    return np.asarray(ratings[..., effect.factors.index(measure)])
+
+
+def draw_effect(effect: PopulationEffect, measure: str, sequences: int) -> Draw:
+    """Return draws of participants of a population with a known effect."""
+
     def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
-        ratings = drawn_ratings(effect, (studies, people, sequences), rng)
-        if measure == QOE:
-            return np.asarray(ratings.sum(axis=4).mean(axis=2))
-        return np.asarray(ratings[..., effect.factors.index(measure)].mean(axis=2))
+        shape = studies, people, sequences
+        return np.asarray(drawn_measure(effect, measure, shape, rng).mean(axis=2))
 
     return draw
 

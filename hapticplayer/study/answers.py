@@ -21,6 +21,7 @@ from hapticplayer.study.definition import (
     TrialKind,
     When,
 )
+from hapticplayer.study.preregistration import Registered, read_registered
 from hapticplayer.study.score_answers import RatedAnswers, ScoreAnswers, collect_scores
 from hapticplayer.study.scoring import Limits, PageScores, Scoring
 from hapticplayer.study.session_folder import SessionState, StoredSession
@@ -172,8 +173,10 @@ class Answers:
         conduct: of the study.
         ranges: least and most of factors, by key; 1 to 5 for others.
         qoe: the factors that are summed; None for all.
+        items: the factors that are single questions with steps; None for all.
         others: answers that are counted.
         scores: of scales.
+        registered: the plan that was written before, and what differs from it.
     """
 
     participants: tuple[Participant, ...]
@@ -188,8 +191,10 @@ class Answers:
     conduct: Conduct = field(default_factory=Conduct)
     ranges: Mapping[str, Limits] = field(default_factory=dict)
     qoe: tuple[str, ...] | None = None
+    items: tuple[str, ...] | None = None
     others: tuple[AnswersTo, ...] = ()
     scores: tuple[ScoreAnswers, ...] = ()
+    registered: Registered | None = None
 
 
 def simulated_mark(participants: Sequence[Participant]) -> str:
@@ -220,6 +225,7 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
     """Return all answers of an opened study, see `read_answers`."""
     sessions, notices = study.sessions()
     notices += _session_notices(sessions)
+    registered = read_registered(study, sessions)
     sessions = [s for s in sessions if any(answered_trials(s.records))]
     definition = study.definition
     rated = RatedAnswers(definition)
@@ -243,8 +249,10 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         conduct=conduct_of(definition, sessions, trial_forces),
         ranges=rated.ranges,
         qoe=rated.qoe,
+        items=rated.items,
         others=tuple(_others(definition, collected)),
         scores=tuple(collect_scores(definition, [one.numbers for one in collected])),
+        registered=registered,
     )
 
 

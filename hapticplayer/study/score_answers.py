@@ -6,11 +6,13 @@ from typing import Any, NamedTuple
 from hapticplayer.study.definition import (
     OF_TRIALS,
     Definition,
+    Question,
     QuestionPage,
     Score,
     TrialKind,
     When,
 )
+from hapticplayer.study.questions import MAX_POINTS, kind_of
 from hapticplayer.study.scoring import Limits, PageScores
 
 PageNumbers = Callable[[PageScores, str], Mapping[str, float | None]]
@@ -45,6 +47,7 @@ class RatedAnswers:
     Attributes:
         ranges: least and most by key; a question that is part of a score has none.
         qoe: keys of the questions that are summed.
+        items: keys of the questions whose answers are steps in an order.
     """
 
     def __init__(self, definition: Definition) -> None:
@@ -61,6 +64,11 @@ class RatedAnswers:
             for q in definition.questions_at(When.AFTER_CLIP)
             if q.in_qoe and q.key in self.ranges
         )
+        self.items = tuple(
+            q.key
+            for q in definition.questions_at(When.AFTER_CLIP)
+            if q.key in self.ranges and _has_steps(q)
+        )
 
     def of(self, values: Mapping[str, Any]) -> dict[str, float | None]:
         """The numbers in the answers to the pages after a clip."""
@@ -68,6 +76,14 @@ class RatedAnswers:
         for page in self._pages:
             found |= page.numbers(values)
         return {key: found[key] for key in self.ranges}
+
+
+def _has_steps(asked: Question) -> bool:
+    """Whether the answers are so few that they are an order rather than a number."""
+    limits = kind_of(asked).limits
+    return bool(asked.choices) or (
+        limits is not None and limits[1] - limits[0] < MAX_POINTS
+    )
 
 
 def collect_scores(

@@ -150,6 +150,7 @@ OWN = {
     ("hapticplayer/extras/desktop/command.py", "read_text"): "files of the program",
     ("hapticplayer/study/creation.py", "read_text"): "templates of the program",
     ("hapticplayer/study/analysis/report.py", "read_bytes"): "written just before",
+    ("hapticplayer/study/analysis/preregistered.py", "read_bytes"): "its own source",
     ("hapticplayer/haptics/scheduling.py", "os.open"): "a device, to hold it",
     ("hapticplayer/devices/serial_line.py", "os.open"): "a serial port",
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",

@@ -23,7 +23,7 @@ from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.conduct import AnsweredPlayback
 
 ALL = "all"
-_ORDERS = {
+ORDERS = {
     "random": "shuffled for each participant",
     "latin-square": "of a Latin square",
     "williams": "of a Williams design",
@@ -123,7 +123,7 @@ def order_balance(answers: Answers) -> Iterator[ReportBlock]:
     yield Heading("Order of the conditions")
     position, after = conduct.at_position, conduct.followed
     yield Paragraph(
-        f"Orders were {_ORDERS.get(conduct.order_method, conduct.order_method)}. "
+        f"Orders were {ORDERS.get(conduct.order_method, conduct.order_method)}. "
         f"Each condition was played {position[0]} to {position[1]} times at each "
         f"position, and {after[0]} to {after[1]} times directly after each other one."
     )

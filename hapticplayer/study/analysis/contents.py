@@ -157,7 +157,7 @@ def _figures(analysis: Analysis) -> Iterator[ReportBlock]:
     if effects := known_effects(analysis.found):
         yield ReportFigure(
             EFFECTS_FIGURE,
-            "Differences between feedbacks in the mixed model of each item (logit), second less "
+            "Differences between feedbacks in the mixed model of each measure (logit), second less "
             "first, with 95 % intervals.",
             _effects_described(effects),
         )
@@ -165,8 +165,8 @@ def _figures(analysis: Analysis) -> Iterator[ReportBlock]:
 
 def _effects_described(effects: Mapping[str, Mapping[str, Any]]) -> str:
     pairs = (
-        f"{item}, {pair}: {number(part['estimate'])} {interval(part['interval'])}"
-        for item, one in effects.items()
+        f"{_label(measure)}, {pair}: {number(part['estimate'])} {interval(part['interval'])}"
+        for measure, one in effects.items()
         for pair, part in one.items()
     )
     return f"Points with intervals. {'; '.join(pairs)}."

@@ -56,7 +56,7 @@ def figures(analysis: Analysis) -> dict[str, "Figure"]:
         made = factors_by_feedback(analysis, factors, limits)
         found[factors_figure(scores, limits)] = made
     if effects := known_effects(analysis.found):
-        found[EFFECTS_FIGURE] = effects_by_item(effects)
+        found[EFFECTS_FIGURE] = effects_by_measure(effects)
     return found
 
 
@@ -82,11 +82,11 @@ def factors_by_feedback(
     return _figure(groups, analysis.scores.feedbacks, label, limits)
 
 
-def effects_by_item(effects: dict[str, dict[str, Any]]) -> "Figure":
+def effects_by_measure(effects: dict[str, dict[str, Any]]) -> "Figure":
     """Draw the differences of pairs in the mixed model, with their intervals.
 
     Args:
-        effects: results of pairs, by item.
+        effects: results of pairs, by measure.
     """
     pairs = list(dict.fromkeys(name for one in effects.values() for name in one))
     with new_panel("difference on the latent scale (logit)") as (figure, panel):

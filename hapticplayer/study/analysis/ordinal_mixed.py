@@ -1,8 +1,9 @@
-"""Single items by a cumulative-link mixed model: feedbacks fixed, people and clips random.
+"""Measures by a cumulative-link mixed model: feedbacks fixed, people and clips random.
 
 Answers on a scale are ordered, not numbers: the model says how far each feedback moves a
 latent opinion that the thresholds of the scale cut into answers (Liddell and Kruschke
-2018).
+2018). Sums, scores and other numbers are cut into classes, which leaves the differences
+as they are: neighbouring steps may be joined (McCullagh 1980).
 """
 
 import math
@@ -35,23 +36,30 @@ from hapticplayer.study.analysis.statistic import (
     number,
     p_value,
 )
-from hapticplayer.study.definition import QOE
 
-EFFECTS_FIGURE = "effects-by-item"
-MOST_LEVELS = 21
-"""Of an item; more steps are a number rather than an order."""
+EFFECTS_FIGURE = "effects-by-measure"
+MOST_CLASSES = 10
+"""Of a number that is no item; ten lose some 1 % of what all its values tell."""
+_MOST_CUTS = 4
+"""At which a scale is cut in two, spread over its steps."""
 _NORMAL_95 = float(scipy.stats.norm.isf(0.025))
-_FAR = 12.0
+FAR = 12.0
 """A latent shift beyond this is no estimate: all answers lie at an end."""
 _LEAST_PEOPLE = 3
 
 
-def ordered_answers(values: Floats) -> OrderedAnswers | None:
-    """The answers (P, S, F) to an item, NaN where missing; None if no model fits them."""
+def ordered_answers(values: Floats, *, is_item: bool = True) -> OrderedAnswers | None:
+    """The answers (P, S, F), NaN where missing; None if no model fits them.
+
+    The levels are the steps that were used, or classes where it is no item.
+    """
     people, sequences, feedbacks = np.nonzero(~np.isnan(values))
     given = values[people, sequences, feedbacks]
     steps, levels = np.unique(given, return_inverse=True)
-    if not 2 <= len(steps) <= MOST_LEVELS or (steps % 1.0).any():
+    if not is_item and len(steps) > MOST_CLASSES:
+        shares = (scipy.stats.rankdata(given) - 0.5) / len(given)
+        steps, levels = np.unique(np.floor(MOST_CLASSES * shares), return_inverse=True)
+    if len(steps) < 2:
         return None
     if len(set(people)) < _LEAST_PEOPLE or len(set(feedbacks)) < values.shape[2]:
         return None
@@ -65,26 +73,24 @@ def ordered_answers(values: Floats) -> OrderedAnswers | None:
 
 
 def compare(sample: Sample, link: LinkFunction) -> Found | None:
-    """Effect of the feedbacks on an item; None for a sum of items, or without a model.
+    """Effect of the feedbacks on a measure; None where no model fits.
 
     `pairs` are differences on the latent scale, second less first; `at_cuts` the same
-    from the answers above and below each step of the scale alone, with the logit link.
+    from the answers above and below single steps of the scale, with the logit link.
     """
-    is_item = sample.measure != QOE
-    answers = ordered_answers(sample.by_condition) if is_item else None
+    answers = ordered_answers(sample.by_condition, is_item=sample.is_item)
     if answers is None:
         return None
-    full, none = fit(answers, link), fit(_without_effects(answers), link)
-    chi2 = max(0.0, 2.0 * (full.log_likelihood - none.log_likelihood))
-    df = len(sample.feedbacks) - 1
+    full, chi2, p_all = likelihood_ratio(answers, link)
     shifts = (0.0, *full.effects)
     return {
         "n": len(answers.levels),
+        "levels": int(answers.levels.max()) + 1,
         "log_likelihood": full.log_likelihood,
         "chi2": chi2,
-        "df": df,
+        "df": len(sample.feedbacks) - 1,
         "p": None,
-        "p_all": float(scipy.stats.chi2.sf(chi2, df)),
+        "p_all": p_all,
         "deviations": dict(
             zip(("participant", "sequence"), full.deviations.tolist(), strict=False)
         ),
@@ -97,36 +103,43 @@ def compare(sample: Sample, link: LinkFunction) -> Found | None:
     }
 
 
-def _without_effects(answers: OrderedAnswers) -> OrderedAnswers:
-    return OrderedAnswers(answers.levels, answers.design[:, :0], answers.groups)
+def likelihood_ratio(
+    answers: OrderedAnswers, link: LinkFunction
+) -> tuple[FittedModel, float, float]:
+    """The model, and chi-square and p of all its effects together."""
+    nothing = OrderedAnswers(answers.levels, answers.design[:, :0], answers.groups)
+    full, none = fit(answers, link), fit(nothing, link)
+    chi2 = max(0.0, 2.0 * (full.log_likelihood - none.log_likelihood))
+    return full, chi2, float(scipy.stats.chi2.sf(chi2, len(full.effects)))
 
 
 def _pairs(
     sample: Sample, answers: OrderedAnswers, full: FittedModel, link: LinkFunction
 ) -> dict[str, Found]:
-    steps = np.arange(1, answers.levels.max() + 1)[:, None]
+    last = int(answers.levels.max())
+    steps = np.rint(np.linspace(1, last, min(last, _MOST_CUTS)))[:, None]
     cuts = [
         fit(OrderedAnswers(above.astype(np.intp), answers.design, answers.groups), link)
         for above in (answers.levels >= steps if link is LinkFunction.LOGIT else ())
     ]
     found = {}
     for i, j in combinations(range(len(sample.feedbacks)), 2):
-        at_cuts = [_difference(one, i, j) for one in cuts]
+        at_cuts = [difference(one, i, j) for one in cuts]
         known = [one["estimate"] for one in at_cuts if one["estimate"] is not None]
         found[f"{sample.feedbacks[i]}-{sample.feedbacks[j]}"] = {
-            **_difference(full, i, j),
+            **difference(full, i, j),
             "at_cuts": [min(known), max(known)] if known else None,
         }
     return found
 
 
-def _difference(model: FittedModel, i: int, j: int) -> Found:
+def difference(model: FittedModel, i: int, j: int) -> Found:
     """Feedback j less i by Wald's interval and test; None where it is not determined."""
     weights = np.zeros(len(model.effects) + 1)
     weights[i], weights[j] = -1.0, 1.0
     estimate = float(weights[1:] @ model.effects)
     error = math.sqrt(max(0.0, float(weights[1:] @ model.covariance @ weights[1:])))
-    if not error > 0.0 or max(abs(estimate), error) > _FAR:
+    if not error > 0.0 or max(abs(estimate), error) > FAR:
         return dict.fromkeys(("estimate", "error", "interval", "z", "p"))
     reach = _NORMAL_95 * error
     return {
@@ -154,12 +167,14 @@ def _warnings(found: dict[str, Any]) -> list[str]:
 
 def _methods(_found: dict[str, Any]) -> str:
     return (
-        "Each item was analysed by a cumulative-link mixed model (logit link, and again with "
+        "Each measure was analysed by a cumulative-link mixed model (logit link, and again with "
         "probit; McCullagh, 1980) with the feedback as fixed effect, flexible thresholds, and crossed random "
         "intercepts of participants and sequences, fitted by maximum likelihood with "
         "Laplace's approximation (as clmm of R's ordinal; Christensen, 2019). The effect of "
         "the feedback was tested by a likelihood ratio, pairs by Wald's z, with 95 % Wald "
-        "intervals. Ordered answers are not treated as numbers (Liddell and Kruschke, 2018)."
+        "intervals. Answers to single items entered as ordered steps, not as numbers (Liddell "
+        f"and Kruschke, 2018); sums, scores and other numbers in up to {MOST_CLASSES} "
+        "ordered classes of about equal size, by which the differences keep their meaning."
     )
 
 
@@ -167,19 +182,24 @@ def _odds(value: float | None) -> str:
     return number(None if value is None else math.exp(value))
 
 
+def _count(value: int | None) -> str:
+    return "-" if value is None else str(value)
+
+
 def _statistic(link: LinkFunction) -> Statistic:
     is_logit = link is LinkFunction.LOGIT
     odds = ReportColumn("odds ratio", "estimate", _odds)
-    at_cuts = ReportColumn("at each cut", "at_cuts", interval)
+    at_cuts = ReportColumn("at single cuts", "at_cuts", interval)
     return Statistic(
         f"ordinal_{link.value}",
-        f"Single items: cumulative-link mixed model ({link.value})",
+        f"Cumulative-link mixed model of ordered answers ({link.value})",
         lambda sample, _: compare(sample, link),
-        of="item: pair",
+        of="measure: pair",
         columns=(
-            ReportColumn("n", "n", lambda n: "" if n is None else str(n)),
+            ReportColumn("n", "n", _count),
+            ReportColumn("levels", "levels", _count),
             ReportColumn("chi²", "chi2"),
-            ReportColumn("df", "df", lambda df: "-" if df is None else str(df)),
+            ReportColumn("df", "df", _count),
             ReportColumn("p (all)", "p_all", p_value),
             ReportColumn("difference", "estimate"),
             ReportColumn("95 % CI", "interval", interval),
@@ -189,18 +209,21 @@ def _statistic(link: LinkFunction) -> Statistic:
             ReportColumn("p (Holm)", "p_holm", p_value),
             *((at_cuts,) if is_logit else ()),
         ),
-        note="Row of an item: likelihood ratio of all feedbacks. Difference: second feedback "
+        note="Row of a measure: likelihood ratio of all feedbacks. Levels: steps of an item, "
+        "else classes. Difference: second feedback "
         "less first, on the latent scale."
         + (
-            " At each cut: smallest and largest of the same from each step of the scale "
-            "alone."
+            f" At single cuts: smallest and largest of the same from answers above or below a "
+            f"step alone, at up to {_MOST_CUTS} steps."
             if is_logit
             else ""
         ),
         assumes="The cumulative-link mixed model assumes that a feedback moves all steps of the scale "
         "by the same latent amount (proportional odds), that people and sequences "
-        "differ by normally distributed amounts, and that answers are otherwise independent. Where "
-        "the differences at each cut have different signs, the first does not hold. Missing answers "
+        "differ by normally distributed amounts, and that answers are otherwise independent. Where people "
+        "differ in which feedback they prefer, its p are too small; trust the tests of means over "
+        "the sequences then. Where "
+        "the differences at single cuts have different signs, the first does not hold. Missing answers "
         "may depend on feedback, person and sequence, but not on what would have been answered."
         if is_logit
         else "",
@@ -213,17 +236,17 @@ def _statistic(link: LinkFunction) -> Statistic:
 
 
 def known_effects(found: dict[str, dict[str, Any]]) -> dict[str, dict[str, Found]]:
-    """The pairs with an estimate, by item, from the results of all statistics."""
-    by_item = {
-        item: {
+    """The pairs with an estimate, by measure, from the results of all statistics."""
+    by_measure = {
+        measure: {
             pair: part
             for pair, part in one["pairs"].items()
             if part["estimate"] is not None
         }
-        for item, one in found[ORDINAL_LOGIT.name].items()
+        for measure, one in found[ORDINAL_LOGIT.name].items()
         if one
     }
-    return {item: pairs for item, pairs in by_item.items() if pairs}
+    return {measure: pairs for measure, pairs in by_measure.items() if pairs}
 
 
 ORDINAL_LOGIT = _statistic(LinkFunction.LOGIT)

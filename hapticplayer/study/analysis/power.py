@@ -24,6 +24,7 @@ from hapticplayer.study.analysis.statistic import holm_of_columns
 
 FRIEDMAN, ALL_PAIRS = "friedman", "all pairs"
 MOST_PARTICIPANTS, MOST_STUDIES = 300, 100_000
+RANK_STUDIES = 2000
 MOST_EXACT = 20
 """Above this number the normal approximation decides otherwise in 0 to 2 % of studies."""
 _BLOCK = 100
@@ -54,7 +55,7 @@ class PowerGoal:
     alpha: float = 0.05
     power: float = 0.8
     largest: int = 60
-    studies: int = 2000
+    studies: int = RANK_STUDIES
     seed: int = 2012
 
     def __post_init__(self) -> None:
@@ -84,12 +85,14 @@ class Power:
         curves: power (N,) by test: "friedman", the pairs, "all pairs".
         needed: smallest sufficient number by test; None if even the largest is too
             small.
+        tests: that were simulated, in words.
     """
 
     goal: PowerGoal
     participants: tuple[int, ...]
     curves: dict[str, tuple[float, ...]]
     needed: dict[str, int | None]
+    tests: Message = TESTS
 
     @property
     def standard_error(self) -> float:
@@ -144,7 +147,7 @@ def find_power(
     curves = {
         name: tuple(row.tolist()) for name, row in zip(names, shares, strict=True)
     }
-    needed = {name: _needed(row, sizes, goal.power) for name, row in curves.items()}
+    needed = {name: needed_size(row, sizes, goal.power) for name, row in curves.items()}
     return Power(goal, sizes, curves, needed)
 
 
@@ -158,7 +161,7 @@ def power_summary(found: Power) -> dict[str, Any]:
         "standard_error": found.standard_error,
         "studies": goal.studies,
         "seed": goal.seed,
-        "tests": TESTS,
+        "tests": found.tests,
         "participants": list(found.participants),
         "curves": {name: list(row) for name, row in found.curves.items()},
     }
@@ -199,9 +202,10 @@ def _pair_p(differences: Floats) -> Floats:
     return np.asarray(np.nan_to_num(found.pvalue, nan=1.0), np.float64)
 
 
-def _needed(
+def needed_size(
     row: tuple[float, ...], sizes: tuple[int, ...], wanted: float
 ) -> int | None:
+    """The smallest number from which on the power is as wanted."""
     needed = None
     for share, size in zip(reversed(row), reversed(sizes), strict=True):
         if share < wanted:

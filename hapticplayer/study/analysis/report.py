@@ -20,6 +20,7 @@ from hapticplayer.study.analysis.analysis import (
 from hapticplayer.study.analysis.describing import Summary
 from hapticplayer.study.analysis.parts import Analyse, AnalysisKind, ReportParts
 from hapticplayer.study.analysis.pdf import write_pdf
+from hapticplayer.study.analysis.preregistered import with_registration
 from hapticplayer.study.analysis.statistic import number, p_value, rounded
 from hapticplayer.study.analysis.typesetting import page
 from hapticplayer.study.answers import Answers, simulated_mark
@@ -33,6 +34,13 @@ def analyse_study(
     progress: Progress = lambda _fraction, _step: None,
 ) -> ReportParts:
     """Analyse ratings, or judgements by the extension that knows their kind."""
+    options = options or AnalysisOptions()
+    return with_registration(_analysed(answers, options, progress), options)
+
+
+def _analysed(
+    answers: Answers, options: AnalysisOptions, progress: Progress
+) -> ReportParts:
     if not answers.judgements:
         return parts_of(analyse(answers, options, progress))
     kinds = {one.name: one for one in extension.rows("study_analyses", AnalysisKind)}

@@ -48,6 +48,7 @@ class Scores:
         repeated: number of answers replaced by those of a repeated trial.
         ranges: least and most of each factor.
         qoe: factors that are summed.
+        items: factors that are single questions with steps.
     """
 
     participants: tuple[str, ...]
@@ -60,6 +61,7 @@ class Scores:
     repeated: int
     ranges: tuple[tuple[float, float], ...]
     qoe: tuple[str, ...]
+    items: tuple[str, ...]
 
     @property
     def measures(self) -> tuple[str, ...]:
@@ -105,6 +107,7 @@ class Sample:
         used_before: whether each of `participants` had used the device; None if unknown.
         by_condition: (P, S, F) of all participants, NaN without a usable answer.
         all_participants: codes of all participants.
+        is_item: whether it is a single question with steps.
     """
 
     measure: str
@@ -116,6 +119,7 @@ class Sample:
     used_before: tuple[bool | None, ...]
     by_condition: Floats
     all_participants: tuple[str, ...]
+    is_item: bool = True
 
     def each_pair(
         self, compare: Callable[[list[tuple[int, int]]], list[dict[str, Any]]]
@@ -151,7 +155,7 @@ def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:
         include_invalid: keep trials whose playback was not valid.
     """
     _check_design(answers)
-    feedbacks = tuple(sorted(answers.feedbacks, key=_shown_at))
+    feedbacks = tuple(sorted(answers.feedbacks, key=shown_at))
     codes = tuple(person.code for person in answers.participants)
     axes = (codes, answers.sequences, feedbacks, answers.factors)
     index = [{name: i for i, name in enumerate(names)} for names in axes]
@@ -170,7 +174,9 @@ def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:
     known = {code: is_used for code, is_used in used.items() if is_used is not None}
     limits = tuple(answers.ranges.get(one, SCALE) for one in answers.factors)
     qoe = answers.factors if answers.qoe is None else answers.qoe
-    return Scores(*axes, ratings, known, invalid, answers.repeated, limits, qoe)
+    items = answers.factors if answers.items is None else answers.items
+    counts = invalid, answers.repeated
+    return Scores(*axes, ratings, known, *counts, limits, qoe, items)
 
 
 def sample_of(
@@ -198,6 +204,7 @@ def sample_of(
         used_before=tuple(scores.used_before.get(code) for code in codes[kept]),
         by_condition=values,
         all_participants=scores.participants,
+        is_item=measure in scores.items,
     )
 
 
@@ -212,6 +219,7 @@ def _check_design(answers: Answers) -> None:
         raise InputError("comparing needs two feedbacks or more")
 
 
-def _shown_at(feedback: str) -> int:
+def shown_at(feedback: str) -> int:
+    """The place of a feedback among all, in tables, figures and names of pairs."""
     known = feedback in _SHOWN_FIRST
     return _SHOWN_FIRST.index(feedback) if known else len(_SHOWN_FIRST)

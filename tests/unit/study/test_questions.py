@@ -291,7 +291,7 @@ def test_a_study_without_the_sum_is_analysed(study, scripted, tmp_path):
     assert set(numbers["friedman"]) == {f"{kind}_after-clip" for kind in MEASURED}
     drawn_by = {path.stem for path in (tmp_path / "out").glob("*.svg")}
     assert drawn_by == {
-        "effects-by-item",
+        "effects-by-measure",
         "factors-by-feedback",
         "factors-by-feedback-0-to-100",
         "factors-by-feedback--5-to-5",

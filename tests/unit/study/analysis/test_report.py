@@ -44,7 +44,7 @@ def report(analysis, tmp_path_factory):
 def test_everything_is_there(report):
     names = {"report.html", "report.pdf", "numbers.json"}
     names |= {"conditions.csv", "tests.csv", "scores.csv"}
-    for figure in ("qoe-by-sequence", "factors-by-feedback", "effects-by-item"):
+    for figure in ("qoe-by-sequence", "factors-by-feedback", "effects-by-measure"):
         names |= {f"{figure}{suffix}" for suffix in (".svg", ".pdf", ".png")}
     assert {path.name for path in report.iterdir()} == names
 
