@@ -1,10 +1,18 @@
 """A take shown back: picture, sound and motion without gravity on one time line."""
 
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QWidget
 
 from app.bridge.languages import translated
@@ -25,38 +33,75 @@ from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.take_overview import TakeOverview
 
 _STEP_S, _FAR_S = 1.0, 5.0
+_NEAR_PX, _FLAG_PX = 7, 6
+_FRAME_S = 0.1  # of a slow camera: a mark is shown by the frame before it
 _MOST_NOTICES = 4
 
 
 class TakeStrip(SyncStrip):
-    """The time line of a take, in which a click or the arrows seek."""
+    """The time line of a take with its marks, in which a click or the arrows seek."""
 
     sought = Signal(float)
 
     def __init__(self) -> None:
         super().__init__()
+        self.marks_s: list[float] = []
         self.setAccessibleName(self.tr("The take over time"))
         self.setToolTip(
-            self.tr("Click: seek. Left and Right: 1 s, with Shift 5 s. Wheel: zoom")
+            self.tr(
+                "Click: seek, beside a mark exactly to it. Left and Right: 1 s, with "
+                "Shift 5 s. Up and Down: previous and next mark. Wheel: zoom"
+            )
         )
         self.setCursor(Qt.CursorShape.PointingHandCursor)
 
+    def show_marks(self, marks_s: Sequence[float]) -> None:
+        """Show what a person marked while it was recorded."""
+        self.marks_s = sorted(marks_s)
+        self.update()
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        at_s = self.view_s[0] + event.position().x() * self._s_per_px()
-        self.sought.emit(max(0.0, at_s))
+        at_s = self._time_at(event)
+        nearest_s = min(self.marks_s, key=lambda one: abs(one - at_s), default=at_s)
+        is_near = abs(nearest_s - at_s) <= _NEAR_PX * self._s_per_px()
+        self.sought.emit(nearest_s if is_near else at_s)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if event.buttons():
-            self.mousePressEvent(event)
+            self.sought.emit(self._time_at(event))
+
+    def _time_at(self, event: QMouseEvent) -> float:
+        return max(0.0, self.view_s[0] + event.position().x() * self._s_per_px())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        way = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
-        if way is None:
+        key, at_s = Qt.Key(event.key()), self.cursor_s or 0.0
+        if way := {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(key):
+            is_far = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            self.sought.emit(max(0.0, at_s + way * (_FAR_S if is_far else _STEP_S)))
+        elif key == Qt.Key.Key_Down:
+            self._seek_first(one for one in self.marks_s if one > at_s + _FRAME_S)
+        elif key == Qt.Key.Key_Up:
+            self._seek_first(one for one in self.marks_s[::-1] if one < at_s - _FRAME_S)
+        else:
             event.ignore()
-            return
-        is_far = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-        at_s = (self.cursor_s or 0.0) + way * (_FAR_S if is_far else _STEP_S)
-        self.sought.emit(max(0.0, at_s))
+
+    def _seek_first(self, marks_s: Iterator[float]) -> None:
+        if (mark_s := next(marks_s, None)) is not None:
+            self.sought.emit(mark_s)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        colour, high_px = QColor(theme.WARN), self.fontMetrics().height()
+        with QPainter(self) as painter:
+            for number, mark_s in enumerate(self.marks_s, 1):
+                x = (mark_s - self.view_s[0]) / self._s_per_px()
+                painter.setPen(QPen(colour, 1.0, Qt.PenStyle.DashLine))
+                painter.drawLine(QPointF(x, 0.0), QPointF(x, self.lanes_px))
+                wide_px = self.fontMetrics().horizontalAdvance(str(number)) + _FLAG_PX
+                flag = QRectF(x, self.lanes_px - high_px, wide_px, high_px)
+                painter.fillRect(flag, colour)
+                painter.setPen(QColor(theme.PANEL))
+                painter.drawText(flag, Qt.AlignmentFlag.AlignCenter, str(number))
 
 
 class TakeView(QWidget):
@@ -88,6 +133,7 @@ class TakeView(QWidget):
         self.end()
         self.said.setText(self._said(take))
         self.strip.show_lanes([], (), ClockMap(0.0, 1.0))
+        self.strip.show_marks(take.marks_s)
         self._picture.setVisible(clip is not None)
         self.play.setVisible(clip is not None)
         self._duration_s = 0.0
@@ -164,6 +210,8 @@ class TakeView(QWidget):
         if take.imu:
             text = self.tr("lost samples: {count}")
             parts.append(text.format(count=take.imu.dropped))
+        if take.marks_s:
+            parts.append(self.tr("marks: {count}").format(count=len(take.marks_s)))
         if take.clock:
             text = self.tr("residual of the sensor's clock: {ms} ms")
             ms = local(f"{1e3 * take.clock.residual_s:.1f}")

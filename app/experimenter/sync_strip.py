@@ -290,10 +290,15 @@ class SyncStrip(QWidget):
 
     # --- painting --------------------------------------------------------------
 
+    @property
+    def lanes_px(self) -> float:
+        """Height of all lanes, above the times."""
+        return float(self.height() - _LABELS_PX)
+
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(theme.PANEL))
-        bottom = float(self.height() - _LABELS_PX)
+        bottom = self.lanes_px
         self._paint_pats(painter, bottom)
         height = bottom / max(1, len(self.lanes))
         for place, lane in enumerate(self.lanes):

@@ -75,6 +75,7 @@ def take(*, has_camera: bool = True) -> Take:
         camera=Stream("/dev/video0", "monotonic", 0.0, 240, 2) if has_camera else None,
         imu=Stream("wt901:/dev/ttyUSB0", "source", 0.001, 800, 3),
         clock=SourceClockLine(0.2, 1.00004, 0.0012),
+        marks_s=[1.2, 0.4],
     )
 
 

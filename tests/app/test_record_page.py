@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
 from still_recorder import STATE, StillRecorder, overview, silent_source, take
@@ -130,6 +130,26 @@ def test_a_take_is_sought_by_key_and_played(recording, wait_for):
     page.again.click()
     assert page.take.player is None
     assert page.stack.currentIndex() == CHOOSING
+
+
+def test_a_click_beside_a_mark_goes_to_the_mark(recording, wait_for):
+    page, _ = recording
+    page.end_take()
+    wait_for(lambda: "marks: 2" in page.take.said.text())
+    wait_for(page.again.isEnabled)
+    strip, sought = page.take.strip, []
+    strip.sought.connect(sought.append)
+    marked, px = strip.grab().toImage(), strip.width() / strip.view_s[1]
+    strip.show_marks(())
+    assert marked != strip.grab().toImage()
+    strip.show_marks([1.2, 0.4])
+    for at_px in (1.2 * px + 5, 0.8 * px):
+        QTest.mouseClick(strip, Qt.MouseButton.LeftButton, pos=QPoint(int(at_px), 40))
+    assert sought[0] == 1.2
+    assert sought[1] == pytest.approx(0.8, abs=1.0 / px)
+    for key in (Qt.Key.Key_Up, Qt.Key.Key_Up, Qt.Key.Key_Down):
+        QTest.keyClick(strip, key)
+    assert sought[2:] == [0.4, 1.2]
 
 
 def test_a_take_without_video_cannot_be_imported(make_page, wait_for):
