@@ -1,6 +1,6 @@
 """What is recorded with: camera, microphone, motion sensor, and where to."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,21 +13,38 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import folder_dialog
 from app.widgets.layout import ElidedLabel, captioned, column_of, paragraph, row_of
-from app.widgets.texts import titled
+from app.widgets.texts import local, titled
 from hapticplayer.capture.live.source import SourceRow, live_sources
+from hapticplayer.errors import Progress
+from hapticplayer.media.camera_modes import CameraMode, camera_modes
+from hapticplayer.media.live_input import CAMERAS, MICROPHONES, device_names
 
-_KEPT = ("camera", "microphone", "sensor", "place", "folder")
+_KEPT = ("camera", "mode", "microphone", "sensor", "place", "folder")
 
 
 class Found(NamedTuple):
-    """Cameras and microphones that are plugged in: (name, description)."""
+    """Cameras and microphones that are plugged in.
+
+    Attributes:
+        cameras: (name, description).
+        microphones: likewise.
+        modes: sizes and rates, by the name of the camera.
+    """
 
     cameras: tuple[tuple[str, str], ...]
     microphones: tuple[tuple[str, str], ...]
+    modes: Mapping[str, tuple[CameraMode, ...]] = {}
+
+
+def plugged_in(_progress: Progress) -> Found:
+    """What is there now; takes a moment."""
+    cameras, microphones = device_names(CAMERAS), device_names(MICROPHONES)
+    modes = {name: camera_modes(name) for name, _ in cameras}
+    return Found(cameras, microphones, modes)
 
 
 class Chosen(NamedTuple):
-    """Names as the recorder takes them; "" for what is not wanted."""
+    """Names as the recorder takes them, of a camera with its mode; "" for what is not wanted."""
 
     camera: str
     microphone: str
@@ -46,6 +63,7 @@ class ChoiceForm(QWidget):
         self._settings, self._kept = settings, settings.table(RECORD)
         self._folder = self._text("folder") or _usual_folder()
         self.camera = self._combo(self.tr("Camera"))
+        self.mode = self._combo(self.tr("Size and rate of the camera"))
         self.microphone = self._combo(self.tr("Microphone"))
         self.sensor = QComboBox()
         self.sensor.setAccessibleName(self.tr("Motion sensor"))
@@ -64,6 +82,7 @@ class ChoiceForm(QWidget):
         self.sensor.currentIndexChanged.connect(lambda _row: self._on_sensor())
         for combo in (self.camera, self.microphone):
             combo.activated.connect(lambda _row: self._show_missing())
+        self.camera.activated.connect(lambda _row: self._show_modes())
         self.place.textChanged.connect(lambda _text: self.changed.emit())
 
     # --- building ------------------------------------------------------------
@@ -88,11 +107,13 @@ class ChoiceForm(QWidget):
         )
         choose.clicked.connect(self._choose_folder)
         camera = captioned(self.tr("&Camera"), self.camera)
+        mode = captioned(self.tr("Si&ze and rate"), self.mode)
         heard = captioned(self.tr("M&icrophone"), self.microphone)
         sensor = captioned(self.tr("Motion &sensor"), self.sensor)
         place = captioned(self.tr("at &place"), self.place)
-        devices = (camera[0], (self.camera, 1), heard[0], (self.microphone, 1), look)
-        saved = ((self.missing, 3), (self.shown_folder, 1), choose)
+        devices = (camera[0], (self.camera, 3), mode[0], (self.mode, 2))
+        devices += heard[0], (self.microphone, 2)
+        saved = ((self.missing, 3), look, (self.shown_folder, 1), choose)
         column_of(
             row_of(*devices, spacing=8),
             row_of(*sensor, place[0], (self.place, 1), spacing=8),
@@ -126,7 +147,24 @@ class ChoiceForm(QWidget):
             if chosen and combo.findData(chosen) < 0:
                 combo.addItem(chosen, chosen)
             combo.setCurrentIndex(max(0, combo.findData(chosen)))
+        self._show_modes()
         self._show_missing(is_looking=is_looking)
+
+    def _show_modes(self) -> None:
+        """List what the camera offers; what is chosen stays where it offers that, too."""
+        is_known = self.mode.count() > 1
+        chosen = self.mode.currentData() if is_known else self._text("mode")
+        self.mode.clear()
+        self.mode.addItem(self.tr("As the camera offers"), "")
+        for one in self._found.modes.get(self.camera.currentData(), ()):
+            text = self.tr("{width} \u00d7 {height}, {rate} fps").format(
+                width=one.width,
+                height=one.height,
+                rate=local(f"{float(one.rate_hz):.3g}"),
+            )
+            self.mode.addItem(text, one.options)
+        self.mode.setCurrentIndex(max(0, self.mode.findData(chosen)))
+        self.mode.setEnabled(self.mode.count() > 1)
 
     def _text(self, key: str, found: Iterable[tuple[str, str]] = ()) -> str:
         """What was kept; the first that is there where nothing was."""
@@ -180,7 +218,7 @@ class ChoiceForm(QWidget):
         place = self.place.text().strip()
         sensor = f"{row.name}:{place}" if row else ""
         return Chosen(
-            self.camera.currentData() or "",
+            (self.camera.currentData() or "") + (self.mode.currentData() or ""),
             self.microphone.currentData() or "",
             sensor,
             Path(self._folder),
@@ -189,8 +227,9 @@ class ChoiceForm(QWidget):
     def keep(self) -> None:
         """Remember it for the next time."""
         values = (
-            *(self.camera.currentData(), self.microphone.currentData()),
-            *(self.sensor.currentData(), self.place.text().strip(), self._folder),
+            *(self.camera.currentData(), self.mode.currentData()),
+            *(self.microphone.currentData(), self.sensor.currentData()),
+            *(self.place.text().strip(), self._folder),
         )
         self._settings.keep(RECORD, dict(zip(_KEPT, values, strict=True)))
         self._settings.save()

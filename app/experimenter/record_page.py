@@ -13,7 +13,7 @@ from app.bridge.jobs import Jobs, in_child
 from app.bridge.languages import translated
 from app.bridge.settings import Settings
 from app.experimenter.import_files import LogQuestionBox
-from app.experimenter.record_choice import ChoiceForm, Chosen, Found
+from app.experimenter.record_choice import ChoiceForm, Chosen, Found, plugged_in
 from app.experimenter.record_feel import FeelNow, FeelSetup
 from app.experimenter.record_live import LivePane
 from app.experimenter.record_take import TakeView
@@ -35,7 +35,6 @@ from hapticplayer.errors import (
     Progress,
     message_of,
 )
-from hapticplayer.media.live_input import CAMERAS, MICROPHONES, device_names
 from hapticplayer.sequence.library import free_name
 from hapticplayer.sequence.take_overview import TakeOverview, overview_of
 
@@ -422,10 +421,6 @@ def started(
 def thrown_away(preview: Recorder) -> None:
     """Stop it, and delete what it wrote."""
     shutil.rmtree(preview.stop().parent, ignore_errors=True)
-
-
-def plugged_in(_progress: Progress) -> Found:
-    return Found(device_names(CAMERAS), device_names(MICROPHONES))
 
 
 def _now_text() -> str:

@@ -4,6 +4,7 @@ import argparse
 import math
 import select
 import sys
+from collections.abc import Iterable
 from typing import TextIO
 
 from hapticplayer.capture.live.recorder import Recorder
@@ -15,6 +16,7 @@ from hapticplayer.cli.recording_options import chosen_mounting
 from hapticplayer.cli.source_options import STANDARD_INPUT, add_source, opened_source
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError, shell_line
+from hapticplayer.media.camera_modes import CameraMode, camera_modes
 from hapticplayer.media.live_input import CAMERAS, MICROPHONES, device_names
 from hapticplayer.model import ranges
 
@@ -157,9 +159,16 @@ def _list() -> None:
         say(f"{title} (--{'camera' if kind == CAMERAS else 'audio'}):")
         for name, text in names:
             say(f"  {name}  {text}")
+            for size in _fastest(name) if kind == CAMERAS else ():
+                say(f"    {name}{size.options}")
         if not names:
             say(f"  none was found; plug one in, or give its name ({_EXAMPLES[kind]})")
     say("sources of motion (--imu):")
     for row in live_sources():
         place = f"{row.name}:{row.example}" if row.example else row.name
         say(f"  {place:<36} {row.text}")
+
+
+def _fastest(camera: str) -> Iterable[CameraMode]:
+    """Of each size that a camera offers, the mode with the highest rate."""
+    return {one[:2]: one for one in reversed(camera_modes(camera))}.values()

@@ -6,6 +6,7 @@ import threading
 import tty
 from contextlib import contextmanager
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -26,13 +27,15 @@ from hapticplayer.capture.live.source import Samples
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.contract import Mode
+from hapticplayer.media.camera_modes import CameraMode
 from hapticplayer.model import Mapping
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.player import Player
 
 CAMERA = "lavfi:testsrc2=size=320x180:rate=30"
 CHOSEN = {"camera": CAMERA, "microphone": "", "sensor": "wt901", "place": "/dev/ttyS9"}
-FOUND = Found((("/dev/video7", "A webcam"),), ())
+HD = CameraMode(1280, 720, Fraction(30), "mjpeg")
+FOUND = Found((("/dev/video7", "A webcam"),), (), {"/dev/video7": (HD,)})
 
 
 LATCH = StopLatch()
@@ -178,6 +181,25 @@ def test_a_chosen_camera_stays_listed_while_it_is_away(recording, settings):
     kept = settings.table(RECORD)
     assert (kept["camera"], kept["sensor"]) == (CAMERA, "wt901")
     assert page.form.chosen().sensor == "wt901:/dev/ttyS9"
+
+
+def test_size_and_rate_are_those_that_the_camera_offers(make_page, settings):
+    page = make_page(kept={**CHOSEN, "camera": "/dev/video7"})
+    form = page.form
+    assert form.chosen().camera == "/dev/video7"
+    assert form.mode.currentText() == "As the camera offers"
+    form.mode.setCurrentIndex(1)
+    assert form.mode.currentText() == "1280 \u00d7 720, 30 fps"
+    form.keep()
+    form.show_found(FOUND)
+    other = make_page(kept=settings.table(RECORD)).form.chosen().camera
+    assert other == form.chosen().camera == f"/dev/video7{HD.options}"
+    form.mode.setCurrentIndex(0)
+    form.show_found(FOUND)
+    assert form.chosen().camera == "/dev/video7"
+    form.camera.setCurrentIndex(0)
+    form.camera.activated.emit(0)
+    assert not form.mode.isEnabled()
 
 
 def test_closing_asks_and_keeps_what_is_recorded(recording, wait_for):
