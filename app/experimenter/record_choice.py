@@ -111,11 +111,12 @@ class ChoiceForm(QWidget):
         heard = captioned(self.tr("M&icrophone"), self.microphone)
         sensor = captioned(self.tr("Motion &sensor"), self.sensor)
         place = captioned(self.tr("at &place"), self.place)
-        devices = (camera[0], (self.camera, 3), mode[0], (self.mode, 2))
-        devices += heard[0], (self.microphone, 2)
-        saved = ((self.missing, 3), look, (self.shown_folder, 1), choose)
+        filmed = (camera[0], (self.camera, 3), mode[0], (self.mode, 2))
+        heard_by = (heard[0], (self.microphone, 1), look)
+        saved = ((self.missing, 3), (self.shown_folder, 1), choose)
         column_of(
-            row_of(*devices, spacing=8),
+            row_of(*filmed, spacing=8),
+            row_of(*heard_by, spacing=8),
             row_of(*sensor, place[0], (self.place, 1), spacing=8),
             row_of(*saved, spacing=8),
             spacing=6,
