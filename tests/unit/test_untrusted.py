@@ -153,6 +153,7 @@ OWN = {
     ("hapticplayer/study/analysis/preregistered.py", "read_bytes"): "its own source",
     ("hapticplayer/haptics/scheduling.py", "os.open"): "a device, to hold it",
     ("hapticplayer/devices/serial_line.py", "os.open"): "a serial port",
+    ("hapticplayer/media/camera_modes.py", "os.open"): "a camera, to ask its driver",
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",
     ("app/player/problem_report.py", "ZipFile"): "a new file",
     ("hapticplayer/media/live_input.py", "open"): "a camera or microphone",

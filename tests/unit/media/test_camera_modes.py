@@ -79,7 +79,7 @@ def test_an_interval_of_nothing_is_left_out(monkeypatch, ends):
     assert camera_modes("/dev/null") == ()
 
 
-def test_what_is_no_camera_offers_nothing(monkeypatch, tmp_path):
+def test_another_file_and_a_camera_that_is_gone_offer_nothing(monkeypatch, tmp_path):
     assert camera_modes("/dev/null") == ()
     assert camera_modes(str(tmp_path / "video9")) == ()
 
