@@ -58,11 +58,8 @@ PYTHON_PACKAGES = {
     },
 }
 
-LOOP_PRIORITY = 80  # what the haptics process asks for
-OLDEST_SLICE_KERNEL = (6, 12)  # first Linux that grants a time slice on request
 FALCON_USB_ID = ("0403", "cb48")
 USB_DEVICES = Path("/sys/bus/usb/devices")
-CPU_LATENCY = Path("/dev/cpu_dma_latency")
 SOUND_CARDS = Path("/proc/asound/cards")
 SOCKET_TIMEOUT_S = 1.0
 
@@ -158,8 +155,7 @@ def check() -> list[MachineCheck]:
         *map(_check_extra, EXTRAS.values()),
         _check_display(),
         _check_sound(),
-        _check_scheduling(),
-        _check_wakefulness(),
+        *_check_facilities(),
         _check_falcon(),
     ]
 
@@ -317,69 +313,31 @@ def _check_sound() -> MachineCheck:
     )
 
 
-def may_use_fifo() -> bool:
-    """Ask by doing: limits, capabilities and control groups all have a say."""
-    policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
-    try:
-        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(LOOP_PRIORITY))
-    except OSError:
-        return False
-    os.sched_setscheduler(0, policy, parameter)
-    return True
+def _check_facilities() -> list[MachineCheck]:
+    if sys.version_info < OLDEST_PYTHON:
+        return []
+    from hapticplayer.facilities import FACILITIES, has
+    from hapticplayer.linux import FIFO_PRIORITY, SWITCH, taken_away
 
-
-def _limits() -> str:
-    import resource  # Unix only
-
-    names = {"rtprio": resource.RLIMIT_RTPRIO, "memlock": resource.RLIMIT_MEMLOCK}
-    words = []
-    for name, number in names.items():
-        soft = resource.getrlimit(number)[0]
-        limit = "unlimited" if soft == resource.RLIM_INFINITY else str(soft)
-        words.append(f"{name} limit {limit}")
-    return ", ".join(words)
-
-
-def _check_scheduling() -> MachineCheck:
-    kernel = tuple(map(int, re.findall(r"\d+", platform.release())[:2]))
-    if not hasattr(os, "sched_setscheduler"):
-        ok, detail = False, Message("normal: this system grants nothing else")
-    elif may_use_fifo():
-        ok, detail = True, Message("fifo: priority {n} is granted", n=LOOP_PRIORITY)
-    elif kernel >= OLDEST_SLICE_KERNEL:
-        ok, detail = True, Message("slice: short slices, as fifo is not allowed")
-    else:
-        ok, detail = False, Message("normal: neither fifo nor short slices")
-    if hasattr(os, "sched_setscheduler"):
-        detail = Message("{what} ({limits})", what=detail, limits=_limits())
-    return MachineCheck(
-        Message("scheduling"),
-        ok,
-        detail=detail,
-        remedy=Message("add yourself to the group {name}, log in again", name=NAME)
+    remedies = {
+        "": "",
+        "udev": Message("copy {file} to /etc/udev/rules.d", file=UDEV_RULE),
+        "limits": Message("add yourself to the group {name}, log in again", name=NAME)
         if is_debian()
         else Message(
-            "allow rtprio {n} and memlock in /etc/security/limits.d", n=LOOP_PRIORITY
+            "allow rtprio {n} and memlock in /etc/security/limits.d", n=FIFO_PRIORITY
         ),
-    )
-
-
-def _check_wakefulness() -> MachineCheck:
-    if not CPU_LATENCY.exists():
-        ok, detail = False, Message("this system takes no request to keep them awake")
-    elif os.access(CPU_LATENCY, os.W_OK):
-        ok, detail = True, Message("kept out of deep sleep while a force may be on")
-    else:
-        ok, detail = (
-            False,
-            Message("may sleep deeply: the loop wakes up some 20 us later"),
+    }
+    is_away = Message("unset {switch}", switch=SWITCH)
+    return [
+        MachineCheck(
+            name,
+            is_here := has(name),
+            detail=one.gives if is_here else one.without,
+            remedy=is_away if name in taken_away() else remedies[one.right],
         )
-    return MachineCheck(
-        Message("processors"),
-        ok,
-        detail=detail,
-        remedy=Message("copy {file} to /etc/udev/rules.d", file=UDEV_RULE),
-    )
+        for name, one in FACILITIES.items()
+    ]
 
 
 def _check_falcon() -> MachineCheck:

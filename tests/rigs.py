@@ -9,7 +9,8 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
-from hapticplayer.haptics.track import anonymous_memory, map_track, to_shared_memory
+from hapticplayer.haptics.track import map_track, to_shared_memory
+from hapticplayer.linux import anonymous_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 
 PATIENCE_S = 60.0

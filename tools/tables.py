@@ -24,6 +24,7 @@ from hapticplayer.capture.live import source
 from hapticplayer.capture.sync import methods
 from hapticplayer.devices import installed_devices
 from hapticplayer.extension import load
+from hapticplayer.facilities import FACILITIES
 from hapticplayer.motion import METHODS
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.rendering.condition import Parameter
@@ -94,6 +95,11 @@ def sync_methods() -> str:
         "method | goes by",
         ((_code(one.name), one.text) for one in methods.sync_methods()),
     )
+
+
+def facilities() -> str:
+    rows = ((f"`{name}`", one.gives, one.without) for name, one in FACILITIES.items())
+    return table("facility | with it | without", rows)
 
 
 def gravity_methods() -> str:
@@ -357,6 +363,7 @@ TABLES: dict[str, Callable[[], str]] = {
         live_sources,
         media_tried,
         sync_methods,
+        facilities,
         gravity_methods,
         conditions,
         effects,

@@ -6,12 +6,12 @@ whatever becomes of this program.
 """
 
 import contextlib
-import os
-from pathlib import Path
 from typing import NamedTuple
 
 from jeepney import DBusAddress, MessageFlag, new_method_call
 from jeepney.io.blocking import DBusConnection, open_dbus_connection
+
+from hapticplayer.facilities import session_bus
 
 APPLICATION = "hapticplayer"
 
@@ -44,11 +44,7 @@ EVERYTHING = (
 
 def connect(address: str = "") -> DBusConnection | None:
     """Return a connection to the session's bus; None without one, none is started."""
-    socket = Path(os.environ.get("XDG_RUNTIME_DIR", "/nowhere")) / "bus"
-    address = address or os.environ.get("DBUS_SESSION_BUS_ADDRESS", "")
-    if not address and socket.is_socket():
-        address = f"unix:path={socket}"
-    if address:
+    if address := address or session_bus():
         # RuntimeError: an address of another kind
         with contextlib.suppress(OSError, RuntimeError, ValueError):
             return open_dbus_connection(address)

@@ -14,6 +14,7 @@ from typing import Any, Generic, TypeVar
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from hapticplayer.errors import Cancelled, HapticPlayerError, Progress
+from hapticplayer.facilities import has
 
 Result = TypeVar("Result")
 Work = Callable[[Progress], Result]
@@ -203,7 +204,8 @@ def _stand_back(pid: int) -> None:
     of lower niceness it had to wait up to 80 ms.
     """
     with contextlib.suppress(OSError):  # gone already
-        os.sched_setscheduler(pid, os.SCHED_IDLE, os.sched_param(0))
+        if has("idle"):
+            os.sched_setscheduler(pid, os.SCHED_IDLE, os.sched_param(0))
 
 
 def _follow(line: Connection, progress: Progress) -> Any:

@@ -1,6 +1,5 @@
 """The menu of studies, and the process in which a session runs."""
 
-import os
 import subprocess
 import sys
 import tempfile
@@ -8,7 +7,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, QSocketNotifier, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QSocketNotifier, QTimer, Signal
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QMenu, QProgressDialog
 
 from app.bridge.errors import Attempts, IsOver
@@ -18,6 +17,7 @@ from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, StudyError
 
 _PREFIX = "hapticplayer: "
+_LOOK_MS = 100
 
 
 class StudyProcess(QObject):
@@ -32,7 +32,8 @@ class StudyProcess(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._notifier: QSocketNotifier | None = None
+        self._looks = QTimer(self, interval=_LOOK_MS)
+        self._looks.timeout.connect(self._look)
         self._process: subprocess.Popen[bytes] | None = None
 
     @property
@@ -50,9 +51,7 @@ class StudyProcess(QObject):
             stderr=self._stderr,
             start_new_session=True,
         )
-        self._handle = os.pidfd_open(self._process.pid)
-        self._notifier = QSocketNotifier(self._handle, QSocketNotifier.Type.Read, self)
-        self._notifier.activated.connect(self._on_ended)
+        self._looks.start()
         assert self._process.stdout is not None
         self._output = QSocketNotifier(
             self._process.stdout.fileno(), QSocketNotifier.Type.Read, self
@@ -63,25 +62,24 @@ class StudyProcess(QObject):
         """Stop watching it; it continues."""
         if self._process is None:
             return
-        assert self._notifier is not None
-        self._notifier.setEnabled(False)
-        self._notifier.deleteLater()
+        self._looks.stop()
         self._output.setEnabled(False)
         self._output.deleteLater()
-        os.close(self._handle)
         assert self._process.stdout is not None
         self._process.stdout.close()
         self._stderr.close()
-        self._process = self._notifier = None
+        self._process = None
 
     def _on_said(self) -> None:
         """It says something only once, see `application.run`, or it ends."""
         self._output.setEnabled(False)
         self.opened.emit()
 
-    def _on_ended(self) -> None:
-        assert self._process is not None
-        status = self._process.wait()
+    def _look(self) -> None:
+        if self._process and (status := self._process.poll()) is not None:
+            self._on_ended(status)
+
+    def _on_ended(self, status: int) -> None:
         self._stderr.seek(0)
         lines = self._stderr.read().decode(errors="replace").splitlines()
         self.leave()

@@ -31,7 +31,7 @@ from hapticplayer.cli.play import (
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.processes import Health
-from hapticplayer.haptics.scheduling import hasten_window, lock_memory
+from hapticplayer.linux import hasten_window, lock_memory
 from hapticplayer.media.memory import keep_freed_memory
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.outputs import is_hardware

@@ -11,7 +11,7 @@ from hapticplayer.devices import NO_DEVICE, find_device, installed_devices
 from hapticplayer.devices.options import with_gain
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
-from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.linux import Scheduling
 from hapticplayer.model import LoopStats, SyncStats
 from hapticplayer.playback.faults import CAUSE_TEXTS
 from hapticplayer.playback.meters import EARLY_MS, LATE_MS

@@ -30,12 +30,7 @@ from hapticplayer.devices.falcon.protocol import (
     encode_reply,
 )
 from hapticplayer.extras.faults.usb import driver
-from hapticplayer.haptics.scheduling import (
-    DEVICE_PRIORITY,
-    CpuLatencyRequest,
-    acquire,
-    grant,
-)
+from hapticplayer.linux import DEVICE_PRIORITY, CpuLatencyRequest, acquire, grant
 
 PERIOD_S = 0.001
 SETTLING_TICKS = 200

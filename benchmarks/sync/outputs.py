@@ -26,7 +26,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.extras.rigs.decode import DecodedPacket
 from hapticplayer.extras.rigs.receiver import PacketReceiver
 from hapticplayer.haptics.processes import HapticsProcesses
-from hapticplayer.haptics.scheduling import hasten_window
+from hapticplayer.linux import hasten_window
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.playback.phases import Phase

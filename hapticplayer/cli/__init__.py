@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
 from hapticplayer import __version__, extension
 from hapticplayer.errors import HapticPlayerError, UsageError
+from hapticplayer.linux import taken_away
 from hapticplayer.untrusted import ESCAPED, without_controls
 
 if TYPE_CHECKING:
@@ -273,6 +274,8 @@ def _run(words: list[str], open_window: OpenWindow | None) -> int:
         command, words = "play", ["play", *words]
     if command != "doctor" and (command or not words):
         _refuse_small_limits()
+    if taken_away():
+        importlib.import_module("hapticplayer.facilities").refuse_unknown()
     try:
         options = build_parser(command).parse_args(words)
         if "run" not in options:  # no command: the demo

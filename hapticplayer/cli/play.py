@@ -25,7 +25,7 @@ from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.records import is_record
-from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.linux import Scheduling, taken_away
 from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.model import ranges
 from hapticplayer.playback.conditions import with_feedback
@@ -364,6 +364,7 @@ def attach_log(
         **about,
         "outputs": player.output_names,
         "scheduling": player.snapshot().leading.scheduling,
+        "without": taken_away(),
         "time": "seconds of CLOCK_MONOTONIC",
     }
     path, overwrite = Path(options.log), options.overwrite

@@ -1,6 +1,7 @@
 """Entry of the haptics process: `python -m hapticplayer.haptics`."""
 
 import argparse
+import os
 import socket
 import sys
 from typing import Any
@@ -11,29 +12,25 @@ from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.extension import load
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import centring_of
-from hapticplayer.haptics.lifeline import hold, map_lifeline
+from hapticplayer.haptics.lifeline import hold, map_lifeline, outlive_the_player
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import MessageKind, MessageSocket
-from hapticplayer.haptics.scheduling import (
+from hapticplayer.linux import (
     FIFO_PRIORITY,
     OWN_LOOP_PRIORITY,
     CpuLatencyRequest,
     Scheduling,
     acquire,
-    outlive_the_player,
 )
 
 
 def main(argv: list[str] | None = None) -> int:
     """Open the device, say READY, and run the loop until the player is gone."""
     parser = argparse.ArgumentParser(prog="hapticplayer.haptics")
-    parser.add_argument("--block", type=int, required=True, help="descriptor")
-    parser.add_argument("--line", type=int, required=True, help="descriptor")
-    parser.add_argument("--lifeline", type=int, required=True, help="descriptor")
-    parser.add_argument("--alarm", type=int, required=True, help="descriptor")
+    for name in ("block", "line", "lifeline", "held", "alarm", "handle"):
+        parser.add_argument(f"--{name}", type=int, required=True, help="descriptor")
     parser.add_argument("--device", required=True)
-    parser.add_argument("--handle", type=int, required=True, help="descriptor")
     parser.add_argument("--faults", action="store_true", help="take faults")
     parser.add_argument("--scheduling", choices=[s.value for s in Scheduling])
     options = parser.parse_args(argv)
@@ -43,6 +40,7 @@ def main(argv: list[str] | None = None) -> int:
     # Ctrl-C and a hang-up reach the whole group: the player decides, its alarm reports
     # them at once, and if it dies of them, the closed line does.
     outlive_the_player()
+    os.set_inheritable(options.held, False)  # the guard takes its closing for our end
     block = LoopBlock(options.block)
     end = socket.socket(fileno=options.line)
     line = MessageSocket(end, options.alarm)

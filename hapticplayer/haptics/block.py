@@ -45,9 +45,7 @@ class LoopBlock:
         self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
         self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
         self._guard = view[_GUARD_AT : _GUARD_AT + 8].cast("d")
-        self.lifeline = view[
-            _LIFELINE_AT : _LIFELINE_AT + LIFELINE_BYTES
-        ]  # of the loop
+        self.lifeline = view[_LIFELINE_AT:][:LIFELINE_BYTES]  # of the loop
 
     def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
         """Publish the clock and the track it belongs to (player)."""

@@ -17,9 +17,9 @@ from hapticplayer.errors import DeviceError
 from hapticplayer.extension import load
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.contract import GAP_RAMP_S
-from hapticplayer.haptics.lifeline import Lifeline, map_lifeline
+from hapticplayer.haptics.lifeline import Lifeline, map_lifeline, outlive_the_player
 from hapticplayer.haptics.limiter import PERIOD_S
-from hapticplayer.haptics.scheduling import GUARD_PRIORITY, acquire, outlive_the_player
+from hapticplayer.linux import GUARD_PRIORITY, acquire
 
 CHECK_PERIOD_S = 0.019
 REPEAT_PERIOD_S = 0.004
@@ -31,12 +31,12 @@ _JUST_AFTER_S = 0.0001
 class LoopProcess:
     """The loop as the kernel sees it.
 
-    Its lifeline reports its end at once, its pidfd only when its memory has been torn
-    down: up to 10 ms later for locked memory.
+    Its lifeline reports its end at once; the pipe `end`, which only it holds open, when
+    its memory has been torn down: up to 10 ms later for locked memory.
     """
 
-    def __init__(self, pidfd: int, lifeline: Lifeline) -> None:
-        self._pidfd, self._lifeline = pidfd, lifeline
+    def __init__(self, end: int, lifeline: Lifeline) -> None:
+        self._end, self._lifeline = end, lifeline
 
     def has_ended(self, timeout_s: float) -> bool:
         """Wait for its end."""
@@ -46,7 +46,7 @@ class LoopProcess:
             return True
         else:
             timeout_s = 0.0
-        return bool(select.select([self._pidfd], [], [], timeout_s)[0])
+        return bool(select.select([self._end], [], [], timeout_s)[0])
 
 
 class Guard:
@@ -110,11 +110,10 @@ class Guard:
 def main(argv: list[str] | None = None) -> int:
     """Guard one loop until its end."""
     parser = argparse.ArgumentParser(prog="hapticplayer.haptics.guard")
-    parser.add_argument("--block", type=int, required=True, help="descriptor")
-    parser.add_argument("--loop-pidfd", type=int, required=True, help="descriptor")
+    for name in ("--block", "--end", "--handle"):
+        parser.add_argument(name, type=int, required=True, help="descriptor")
     parser.add_argument("--lifeline", type=int, help="descriptor; else in the block")
     parser.add_argument("--device", required=True)
-    parser.add_argument("--handle", type=int, required=True, help="descriptor")
     options = parser.parse_args(argv)
     outlive_the_player()
     block, own = LoopBlock(options.block), options.lifeline
@@ -124,7 +123,7 @@ def main(argv: list[str] | None = None) -> int:
         return 1  # the loop meets the same problem, and reports it
     acquire(priority=GUARD_PRIORITY)
     lifeline = Lifeline(block.lifeline) if own is None else map_lifeline(own)
-    guard.run(LoopProcess(options.loop_pidfd, lifeline))
+    guard.run(LoopProcess(options.end, lifeline))
     return 0
 
 

@@ -5,23 +5,21 @@ window, 80 ms on a busy machine; a loop, whose memory is locked, takes up to 10 
 robust mutex is released before that: the kernel marks the word of memory behind it when
 the thread that holds it begins to end, and wakes the waiter (get_robust_list(2),
 FUTEX_OWNER_DIED). Reading that word costs the loop no system call, and the guard sleeps
-on it. Without such a mutex (not glibc), and at a regular end, the line and the pidfd
-report the end.
+on it. Without such a mutex, and at a regular end, closed lines report the end.
 """
 
 import ctypes
 import errno
 import mmap
 import os
+import signal
 import threading
 from collections.abc import Callable
 from functools import cache, partial
 
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import anonymous_memory, taken_away
 
-LIFELINE_BYTES = (
-    64  # more than any platform's pthread_mutex_t has, and the mark behind it
-)
+LIFELINE_BYTES = 64  # more than any pthread_mutex_t has, and the mark behind it
 _MARK_AT = LIFELINE_BYTES - 4
 _ROBUST, _SHARED = 1, 1  # PTHREAD_MUTEX_ROBUST, PTHREAD_PROCESS_SHARED
 _ATTRIBUTES_BYTES = 64  # more than any platform's pthread_mutexattr_t has
@@ -85,6 +83,7 @@ def map_lifeline(descriptor: int) -> Lifeline:
     return Lifeline(memoryview(page))
 
 
+@cache
 def hold_lifeline() -> int:
     """Return the descriptor of the lifeline of this process, for its loops to watch.
 
@@ -92,11 +91,6 @@ def hold_lifeline() -> int:
     module. Called first by another thread, or without robust mutexes, it is not held and
     never cut.
     """
-    return _hold()
-
-
-@cache
-def _hold() -> int:
     descriptor = anonymous_memory("hapticplayer-lifeline", mmap.PAGESIZE)
     page = mmap.mmap(descriptor, mmap.PAGESIZE)
     _held.append(page)
@@ -112,7 +106,8 @@ def hold(memory: memoryview) -> Callable[[], None]:
     unmapped before that.
     """
     library = ctypes.CDLL(None)
-    if not hasattr(library, "pthread_mutexattr_setrobust"):
+    has = hasattr(library, "pthread_mutexattr_setrobust")
+    if not has or "robust-mutex" in taken_away():
         return lambda: None
     mutex = ctypes.c_char.from_buffer(memory)
     attributes = ctypes.create_string_buffer(_ATTRIBUTES_BYTES)
@@ -125,9 +120,7 @@ def hold(memory: memoryview) -> Callable[[], None]:
     word = memory[:4].cast("I")
     mark = memory[_MARK_AT:LIFELINE_BYTES].cast("I")
     if word[0] == threading.get_native_id():  # else it is elsewhere in the mutex
-        word[0] |= (
-            _WAITED_FOR  # set while alive, so that the kernel wakes later waiters
-        )
+        word[0] |= _WAITED_FOR  # while alive: the kernel wakes later waiters
         mark[0] = 1
 
     def release() -> None:
@@ -135,3 +128,9 @@ def hold(memory: memoryview) -> Callable[[], None]:
         library.pthread_mutex_unlock(ctypes.byref(mutex))
 
     return release
+
+
+def outlive_the_player() -> None:
+    """Ignore the signals that are meant for the player, and come to its whole group."""
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM, signal.SIGQUIT):
+        signal.signal(number, signal.SIG_IGN)

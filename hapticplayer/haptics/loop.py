@@ -20,8 +20,8 @@ from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import MessageKind, MessageSocket
-from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.step import step
+from hapticplayer.linux import CpuLatencyRequest
 from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector
 
 ZERO_TICKS_BEFORE_CLOSING = 5

@@ -17,7 +17,6 @@ from hapticplayer.extension import load
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.live import ScaledForce
 from hapticplayer.haptics.messages import MessageKind, MessageSocket, signal_alarm
-from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.spawn import (
     Process,
@@ -26,7 +25,8 @@ from hapticplayer.haptics.spawn import (
     start_guard,
     wait_for_end,
 )
-from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.haptics.track import to_shared_memory
+from hapticplayer.linux import DEVICE_PRIORITY, Scheduling, anonymous_memory, grant
 from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
 from hapticplayer.model.device import ChannelLevel
 
@@ -89,6 +89,7 @@ class HapticsProcesses:
         self._processes: dict[str, Process] = {}
         self._recording: LoopRecording | None = None
         self._line: MessageSocket | None = None
+        self._open = contextlib.ExitStack()
         self._device_faults: Any = None
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
         with contextlib.ExitStack() as stack:
@@ -138,24 +139,25 @@ class HapticsProcesses:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._line = MessageSocket(ours)
         stack.enter_context(theirs)
+        self._end, held = os.pipe()  # which the loop holds open
+        stack.callback(os.close, held)
+        self._open.callback(os.close, self._end)
         descriptors = {
             "--block": block,
             "--handle": for_loop,
+            "--held": held,
             "--line": theirs.fileno(),
             "--lifeline": hold_lifeline(),
             "--alarm": signal_alarm().read_end.fileno(),
         }
         options = ["--device", entry.name]
-        for name, descriptor in descriptors.items():
-            options += [name, str(descriptor)]
         if self.takes_faults:
             options += ["--faults"]
         if self._wanted_scheduling is not None:
             options += ["--scheduling", self._wanted_scheduling.value]
-        passed = list(descriptors.values())
-        loop = run_module("hapticplayer.haptics", options, passed)
+        loop = run_module("hapticplayer.haptics", descriptors, options)
         self._processes["loop"] = loop
-        self._processes["guard"] = start_guard(entry, loop.pid, block, for_guard)
+        self._processes["guard"] = start_guard(entry, self._end, block, for_guard)
 
     @property
     def pids(self) -> dict[str, int]:
@@ -299,6 +301,7 @@ class HapticsProcesses:
         wait_for_end(processes, self._release_s)
         if self._recording:
             self._recording.finish()
+        self._open.close()
 
     def _insist(self, word: MessageKind) -> None:
         if self._line is not None:
@@ -337,4 +340,4 @@ class HapticsProcesses:
             grant(device_pid, self._wanted_scheduling, DEVICE_PRIORITY)
         if self._recording:
             header = {"device": self.device, "scheduling": scheduling}
-            self._recording.start(self._processes["loop"].pid, header)
+            self._recording.start(self._end, header)

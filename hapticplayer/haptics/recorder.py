@@ -22,8 +22,8 @@ import numpy as np
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import Message
+from hapticplayer.haptics.lifeline import outlive_the_player
 from hapticplayer.haptics.records import RecordWriter, open_record
-from hapticplayer.haptics.scheduling import outlive_the_player
 from hapticplayer.haptics.shared import TICK, SharedBlock
 from hapticplayer.haptics.spawn import Process, run_module
 from hapticplayer.storage import disk_of, write_problem
@@ -67,26 +67,19 @@ class LoopRecording:
             self._problem = Message(reason, disk=disk, status=status)
         return self._problem
 
-    def start(self, loop_pid: int, header: Mapping[str, Any]) -> None:
-        """Record a loop, a child that has not been waited for.
+    def start(self, end: int, header: Mapping[str, Any]) -> None:
+        """Record a loop until the pipe `end` closes, which only the loop holds open.
 
         The header is provenance beside what is always there: device, scheduling.
         """
         if self._file < 0:  # closed
             return
-        options = ["--block", str(self._block), "--file", str(self._file)]
-        passed = [self._block, self._file]
+        passed = {"--block": self._block, "--file": self._file, "--end": end}
         with self._descriptors:
-            with contextlib.suppress(OSError):  # gone already: its ticks are there
-                watch = os.pidfd_open(loop_pid)
-                self._descriptors.callback(os.close, watch)
-                options += ["--loop-pidfd", str(watch)]
-                passed.append(watch)
             try:
                 RecordWriter(self._file).begin(header)
                 self.process = run_module(
                     "hapticplayer.haptics.recorder",
-                    options,
                     passed,
                     stdout=subprocess.DEVNULL,
                     start_new_session=True,  # signals to the player's group spare it
@@ -124,17 +117,16 @@ class TickRecorder:
         self._lost = 0
         self._synced_s = clock.now_s()
 
-    def run(self, loop_pidfd: int | None) -> None:
-        """Record until the loop's process has gone; None: it has.
+    def run(self, end: int) -> None:
+        """Record until the loop's process has gone.
 
         Raises:
             OSError: when the file cannot be written any more.
         """
         watch = select.poll()
-        if loop_pidfd is not None:
-            watch.register(loop_pidfd, select.POLLIN)
-            while not watch.poll(READ_PERIOD_S * 1000):
-                self.collect()
+        watch.register(end, select.POLLIN)
+        while not watch.poll(READ_PERIOD_S * 1000):
+            self.collect()
         self.finish()
 
     def collect(self) -> None:
@@ -186,9 +178,8 @@ _STATUS_OF = {
 def main(argv: list[str] | None = None) -> int:
     """Record one loop until its end."""
     parser = argparse.ArgumentParser(prog="hapticplayer.haptics.recorder")
-    parser.add_argument("--block", type=int, required=True, help="descriptor")
-    parser.add_argument("--file", type=int, required=True, help="descriptor")
-    parser.add_argument("--loop-pidfd", type=int, help="descriptor")
+    for name in ("--block", "--file", "--end"):
+        parser.add_argument(name, type=int, required=True, help="descriptor")
     options = parser.parse_args(argv)
     # the end is the loop's end, whatever happens to the player
     outlive_the_player()
@@ -196,7 +187,7 @@ def main(argv: list[str] | None = None) -> int:
     try:
         writer = RecordWriter(options.file)
         recorder = TickRecorder(SystemClock(), SharedBlock(options.block), writer)
-        recorder.run(options.loop_pidfd)
+        recorder.run(options.end)
     except (OSError, ValueError) as problem:
         with contextlib.suppress(OSError):  # the player may be gone, and its stderr
             sys.stderr.write(f"{parser.prog}: recording has ended: {problem}\n")

@@ -24,6 +24,7 @@ from hapticplayer.clock import SystemClock, utc_now_iso
 from hapticplayer.errors import InputError, Message
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import RING_TICKS, TICK
+from hapticplayer.linux import taken_away
 from hapticplayer.untrusted import ANOTHER
 
 MAGIC = b"\x89HPREC\r\n"  # no text survives its first and last bytes
@@ -102,6 +103,7 @@ class RecordWriter:
             "started_utc": utc_now_iso(),
             "started_monotonic_s": SystemClock.now_s(),
             "time": "seconds of CLOCK_MONOTONIC",
+            "without": taken_away(),
             "axes": "x right, y up, z towards the user",
             "modes": {str(mode.value): mode.name.lower() for mode in Mode},
             "causes": {str(cause.value): cause.name.lower() for cause in Cause},

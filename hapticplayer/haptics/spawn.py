@@ -10,7 +10,7 @@ import os
 import socket
 import subprocess
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from hapticplayer.devices import DeviceEntry
@@ -20,12 +20,20 @@ Process = subprocess.Popen[bytes]
 
 
 def run_module(
-    module: str, options: Sequence[str], descriptors: Sequence[int], **more: Any
+    module: str,
+    descriptors: Mapping[str, int],
+    options: Sequence[str] = (),
+    also: Sequence[int] = (),
+    **more: Any,
 ) -> Process:
-    """Start a module as a process that inherits some descriptors; raises OSError."""
+    """Start a module as a process that inherits descriptors; raises OSError.
+
+    They are given by the names of their options, but for those that `options` name.
+    """
+    words = [word for pair in descriptors.items() for word in map(str, pair)]
     return subprocess.Popen(
-        [sys.executable, "-P", "-m", module, *options],
-        pass_fds=descriptors,
+        [sys.executable, "-P", "-m", module, *words, *options],
+        pass_fds=[*descriptors.values(), *also],
         stdin=subprocess.DEVNULL,
         # none of them needs algebra, and its threads would be locked memory
         env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
@@ -41,51 +49,39 @@ def start_device(
 ) -> tuple[int, int, Process | None]:
     """Make the line of a device, and start what simulates it.
 
-    The stack closes the line's ends in this process; the descriptors are those that the
-    options of the simulating process name.
-
-    Returns:
-        descriptors for the loop and for the guard, see `DeviceEntry.server`; the
-        process, None for a real device.
+    Returned are descriptors for the loop and for the guard, see `DeviceEntry.server`,
+    which the stack closes in this process; and the process, None for a real device. The
+    given descriptors are those that its options name.
     """
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     stack.enter_context(ours)
     stack.enter_context(theirs)
     if not entry.server:
         return ours.fileno(), theirs.fileno(), None
-    line = theirs.fileno()
-    passed = [line, *descriptors]
-    process = run_module(entry.server, ["--line", str(line), *options], passed)
+    line = {"--line": theirs.fileno()}
+    process = run_module(entry.server, line, options, descriptors)
     return ours.fileno(), ours.fileno(), process
 
 
 def start_guard(
-    entry: DeviceEntry, pid: int, block: int, handle: int, lifeline: int | None = None
+    entry: DeviceEntry, end: int, block: int, handle: int, lifeline: int | None = None
 ) -> Process:
-    """Start the guard of the process `pid`, with a handle from `start_device`.
+    """Start the guard of a process, with a handle from `start_device`.
 
-    Only a loop has its lifeline in the block.
+    `end` is of a pipe that closes when that process has ended. Only a loop has its
+    lifeline in the block.
     """
-    watch = os.pidfd_open(pid)
-    try:
-        options = ["--block", str(block), "--device", entry.name]
-        options += ["--handle", str(handle), "--loop-pidfd", str(watch)]
-        passed = [block, handle, watch]
-        if lifeline is not None:
-            options += ["--lifeline", str(lifeline)]
-            passed += [lifeline]
-        return run_module("hapticplayer.haptics.guard", options, passed)
-    finally:
-        os.close(watch)
+    passed = {"--block": block, "--handle": handle, "--end": end}
+    if lifeline is not None:
+        passed["--lifeline"] = lifeline
+    return run_module("hapticplayer.haptics.guard", passed, ["--device", entry.name])
 
 
 def wait_for_end(
     processes: Iterable[Process | None], timeout_s: float = QUIT_TIMEOUT_S
 ) -> None:
     """Wait for each to end by itself, and kill what does not."""
-    for process in processes:
-        if process is None:
-            continue
+    for process in filter(None, processes):
         try:
             process.wait(timeout_s)
         except subprocess.TimeoutExpired:

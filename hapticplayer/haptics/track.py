@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.haptics.live import LIVE_BYTES, LiveTrack, ScaledForce
+from hapticplayer.linux import anonymous_memory
 from hapticplayer.model.device import Vector
 
 if TYPE_CHECKING:  # the loop, which loads this, has no numpy
@@ -147,13 +148,6 @@ def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> AnyTrack:
     if size == LIVE_BYTES and columns == FORCE_COLUMNS and not any(block[:8]):
         return LiveTrack(block)  # a track has rows
     return LoadedTrack(block, columns)
-
-
-def anonymous_memory(name: str, size: int) -> int:
-    """Return a descriptor of shared memory that no other process can find by name."""
-    descriptor = os.memfd_create(name, os.MFD_CLOEXEC)
-    os.ftruncate(descriptor, size)
-    return descriptor
 
 
 def _size(rows: int, spans: int, columns: int) -> int:

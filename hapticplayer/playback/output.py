@@ -21,7 +21,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import is_near_middle, limits_of
 from hapticplayer.haptics.live import LiveForce, ScaledForce
 from hapticplayer.haptics.processes import HapticsProcesses, Health
-from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.linux import Scheduling
 from hapticplayer.model import (
     DeviceCapabilities,
     Feedback,

@@ -19,8 +19,8 @@ from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.live import LiveForce
 from hapticplayer.haptics.processes import HapticsProcesses
-from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import TICK
+from hapticplayer.linux import Scheduling
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.playback.clip_playback import FASTEST, SLOWEST, ClipPlayback
 from hapticplayer.playback.clock import HORIZON_S, AudioReport

@@ -22,7 +22,7 @@ from typing import Any
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import message_of
 from hapticplayer.haptics.messages import MessageKind, MessageSocket
-from hapticplayer.haptics.scheduling import Scheduling, grant, lock_memory
+from hapticplayer.linux import Scheduling, grant, lock_memory
 from hapticplayer.playback.sound_memory import CHANNELS, SoundBlock, SoundReader
 
 NEAR_S = 0.002

@@ -48,11 +48,9 @@ class SoundProcess:
         self._state = OutputState.OPENING
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
-            passed = [ring.descriptor, theirs.fileno()]
-            block, line = map(str, passed)
+            passed = {"--block": ring.descriptor, "--line": theirs.fileno()}
             module = "hapticplayer.playback.sound_device"
-            options = ["--block", block, "--line", line, f"--device={device}"]
-            self._process = run_module(module, options, passed)
+            self._process = run_module(module, passed, [f"--device={device}"])
         self._line = MessageSocket(ours)
 
     @property

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import anonymous_memory
 from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.clock import AudioReport
 from hapticplayer.playback.sound_memory import CHANNELS, Cue, SoundBlock, block_bytes

@@ -10,6 +10,7 @@ import pytest
 from app.bridge.jobs import in_child
 from hapticplayer import storage
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
+from hapticplayer.linux import SWITCH
 
 pytestmark = pytest.mark.usefixtures("real_children")
 
@@ -49,6 +50,12 @@ def test_the_result_comes_from_a_process_of_lower_priority(real_children):
     assert pid != os.getpid()
     assert real_children == [pid]
     assert (0.5, "half") in steps
+
+
+def test_a_child_is_as_urgent_without_the_idle_class(real_children, monkeypatch):
+    monkeypatch.setenv(SWITCH, "idle")
+    assert in_child(repeated, "a", progress=lambda *_: None)[0] == "a"
+    assert real_children == []
 
 
 def test_a_refusal_is_raised_here_with_its_words():

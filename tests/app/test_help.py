@@ -13,6 +13,7 @@ from app.player.guide import GuideWindow, read_guide, slug
 from app.player.help_pages import CheckPage, ReportPage
 from app.player.problem_report import without_names, without_texts
 from hapticplayer.errors import InputError, Message, message_of
+from hapticplayer.facilities import FACILITIES
 from hapticplayer.shipped import shipped
 
 LINK = re.compile(r"\]\(([\w-]+\.md)?(?:#([\w-]+))?\)")
@@ -103,7 +104,7 @@ def test_each_text_of_the_system_check_can_be_translated(monkeypatch, window, wa
     page = window.findChild(CheckPage)
     wait_for(lambda: "Python" in page.text.toPlainText())
     said = page.text.toPlainText()
-    for text in ("ok", "sound", "scheduling", "processors", "{what} ({proof})"):
+    for text in ("ok", "sound", FACILITIES["memfd"].gives, "{what} ({proof})"):
         assert f"<{text}>" in said
     page.close()
 

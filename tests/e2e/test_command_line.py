@@ -15,6 +15,7 @@ from hapticplayer.cli import play
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import device_names
 from hapticplayer.doctor import ROOT
+from hapticplayer.linux import SWITCH
 from hapticplayer.model import ImuLog
 from hapticplayer.playback.log import PlaybackLog
 from tests.e2e.command import (
@@ -156,6 +157,12 @@ def test_without_a_display_the_demo_plays_headless(clip, monkeypatch):
     assert done.returncode == 0, done.stderr
     assert "lateness" in done.stdout
     assert "force minus video" in done.stdout
+
+
+def test_only_a_facility_can_be_taken_away():
+    said = refused(hapticplayer("doctor", env={SWITCH: "memfd,gravity"}), 2)
+    assert f"{SWITCH} names gravity" in said
+    assert "robust-mutex" in said
 
 
 def test_devices_and_doctor_report_as_json():

@@ -16,6 +16,7 @@ from hapticplayer.haptics.records import (
     encode_header,
 )
 from hapticplayer.haptics.shared import TICK
+from hapticplayer.linux import SWITCH
 from tests.e2e.command import (
     ROOT,
     forces_of,
@@ -202,6 +203,7 @@ def test_a_played_force_is_recorded_and_agrees_with_the_log(clip, tmp_path):
     done = in_process(
         *("play", clip, "--headless", "--force", force),
         *("--record", record, "--log", log),
+        env={SWITCH: "memfd,idle"},
     )
     assert done.returncode == 0, done.stderr
     recorded = read_record(record)
@@ -216,6 +218,7 @@ def test_a_played_force_is_recorded_and_agrees_with_the_log(clip, tmp_path):
     assert np.abs(recorded.ticks["force_n"][place] - force_n).max() <= 0.51e-5
     assert np.abs(recorded.ticks["planned_n"][:, 0]).max() == 0.5
     assert recorded.header["scheduling"] == lines[-1]["scheduling"]
+    assert recorded.header["without"] == lines[0]["without"] == ["idle", "memfd"]
 
 
 def test_a_record_is_never_written_over(clip, tmp_path):

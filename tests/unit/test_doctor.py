@@ -12,7 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from hapticplayer import doctor, errors, installation, shipped
+from hapticplayer import doctor, errors, facilities, installation, linux, shipped
+from hapticplayer.facilities import FACILITIES
 
 RUN_PACKAGES = [
     package for package in doctor.read_apt_list() if package.group in doctor.RUN_GROUPS
@@ -155,7 +156,9 @@ def test_the_file_runs_alone_on_a_bare_python(tmp_path) -> None:
     assert result.stderr == ""
 
 
-@pytest.mark.parametrize("module", [doctor, errors, installation, shipped])
+@pytest.mark.parametrize(
+    "module", [doctor, errors, installation, shipped, facilities, linux]
+)
 def test_the_doctor_needs_only_the_standard_library(module) -> None:
     source = Path(module.__file__).read_text(encoding="utf-8")
     imported = set()
@@ -166,8 +169,11 @@ def test_the_doctor_needs_only_the_standard_library(module) -> None:
             imported.add(node.module)
 
     assert imported - {
+        "hapticplayer",
         "hapticplayer.errors",
+        "hapticplayer.facilities",
         "hapticplayer.installation",
+        "hapticplayer.linux",
         "hapticplayer.shipped",
         "collections.abc",
         "importlib.machinery",
@@ -300,23 +306,6 @@ def test_a_sound_card_is_found(monkeypatch, tmp_path) -> None:
     assert "sound card" in _by_name("sound").detail
 
 
-@pytest.mark.parametrize(
-    ("fifo", "kernel", "word"),
-    [(True, (5, 10), "fifo"), (False, (6, 12), "slice"), (False, (6, 1), "normal")],
-)
-def test_the_scheduling_that_can_be_had_is_named(
-    monkeypatch, fifo, kernel, word
-) -> None:
-    monkeypatch.setattr(doctor, "may_use_fifo", lambda: fifo)
-    release = ".".join(map(str, kernel))
-    monkeypatch.setattr(doctor.platform, "release", lambda: f"{release}.3-amd64")
-
-    check = _by_name("scheduling")
-
-    assert check.detail.startswith(f"{word}:")
-    assert check.ok is (word != "normal")
-
-
 def test_asking_for_the_scheduling_leaves_it_as_it_was() -> None:
     before = os.sched_getscheduler(0)
 
@@ -341,12 +330,15 @@ def test_a_falcon_on_usb_is_found(monkeypatch, tmp_path) -> None:
     assert not check.required
 
 
-def test_processors_that_may_sleep_deeply_name_the_udev_rule(
-    monkeypatch, tmp_path
-) -> None:
-    monkeypatch.setattr(doctor, "CPU_LATENCY", tmp_path / "cpu_dma_latency")
-    assert not _by_name("processors").ok
-    (tmp_path / "cpu_dma_latency").touch()
-    assert _by_name("processors").ok
-    monkeypatch.setattr(doctor.os, "access", lambda *_: False)
-    assert "udev" in _by_name("processors").remedy
+@pytest.mark.parametrize(
+    ("name", "remedy"),
+    [("cpu-latency", "udev"), ("fifo", "rtprio 80"), ("mlock", "memlock")],
+)
+def test_a_right_that_this_user_lacks_names_who_gives_it(monkeypatch, name, remedy):
+    refused = FACILITIES[name]._replace(is_granted=lambda: False)
+    monkeypatch.setitem(FACILITIES, name, refused)
+    check = _by_name(name)
+    assert check.detail == refused.without
+    assert remedy in check.remedy
+    monkeypatch.setitem(FACILITIES, name, refused._replace(is_granted=lambda: True))
+    assert _by_name(name).ok

@@ -27,7 +27,7 @@ from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.measuring import measuring
 from hapticplayer.extras.measuring.guarded_clock import GuardedClock
-from hapticplayer.haptics.scheduling import acquire
+from hapticplayer.linux import acquire
 from hapticplayer.storage import FILE, IsOurs, refuse_existing
 
 STOPS_S = 20.0

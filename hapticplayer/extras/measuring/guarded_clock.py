@@ -13,10 +13,10 @@ from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticsError
 from hapticplayer.haptics.contract import GAP_RAMP_S, GUARD_RAMP_S
 from hapticplayer.haptics.lifeline import hold_lifeline
-from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, grant
+from hapticplayer.haptics.messages import close_descriptor
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.spawn import Process, start_device, start_guard, wait_for_end
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import DEVICE_PRIORITY, anonymous_memory, grant
 
 BEAT_S = 0.002
 _STARTING_S = 10.0
@@ -46,6 +46,7 @@ class GuardedClock:
         self._is_acting, self._beat_s, self._was_disturbed = False, 0.0, False
         self._guard: Process | None = None
         self._simulator: Process | None = None
+        self._held = -1  # open until the end of this process
         entry = find_device(device)
         block = anonymous_memory("hapticplayer-watched", BLOCK_BYTES)
         with contextlib.ExitStack() as stack:
@@ -57,9 +58,9 @@ class GuardedClock:
                 )
                 if self._simulator is not None:
                     grant(self._simulator.pid, None, DEVICE_PRIORITY)
-                self._guard = start_guard(
-                    entry, os.getpid(), block, for_guard, hold_lifeline()
-                )
+                end, self._held = os.pipe()
+                stack.callback(os.close, end)
+                self._guard = start_guard(entry, end, block, for_guard, hold_lifeline())
                 self._handle = os.dup(ours)
             except OSError as problem:
                 self._end()
@@ -118,6 +119,8 @@ class GuardedClock:
         if self._guard is not None:
             self._guard.kill()  # it ends only with this process, and ignores signals
         wait_for_end((self._guard, self._simulator))
+        close_descriptor(self._held)
+        self._held = -1
 
     def _wait_for_the_guard(self) -> None:
         end_s = self._clock.now_s() + _STARTING_S

@@ -5,7 +5,7 @@ import socket
 import sys
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.haptics.scheduling import outlive_the_player
+from hapticplayer.haptics.lifeline import outlive_the_player
 from hapticplayer.simulation.falcon.process import (
     PlantRecorder,
     device_parser,

@@ -9,7 +9,7 @@ from pathlib import Path
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.recorder import LoopRecording
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import anonymous_memory
 
 TICKS = 1000
 
@@ -17,12 +17,14 @@ TICKS = 1000
 def play(path: Path) -> None:
     """Start both and die once the loop has said that it runs."""
     block = anonymous_memory("test", BLOCK_BYTES)
+    end, held = os.pipe()
     loop = subprocess.Popen(
         [sys.executable, __file__, "--loop", str(block)],
-        pass_fds=[block],
+        pass_fds=[block, held],
         stdout=subprocess.PIPE,
     )
-    LoopRecording(path, block).start(loop.pid, {})
+    os.close(held)
+    LoopRecording(path, block).start(end, {})
     loop.stdout.readline()
     os.kill(os.getpid(), signal.SIGKILL)
 

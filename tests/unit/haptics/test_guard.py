@@ -22,7 +22,7 @@ from hapticplayer.haptics.guard import (
 )
 from hapticplayer.haptics.lifeline import LIFELINE_BYTES, Lifeline
 from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import anonymous_memory
 
 FIELDS = len(TICK.descr) - 1 + 4 * 2 + 2  # five vectors of three, without the time
 
@@ -160,6 +160,7 @@ class Holder:
 
     def __init__(self):
         descriptor = anonymous_memory("test", mmap.PAGESIZE)
+        self.pipe, held = os.pipe()
         self.page = mmap.mmap(descriptor, mmap.PAGESIZE)
         self.lifeline = Lifeline(memoryview(self.page)[:LIFELINE_BYTES])
         command = [sys.executable, "-c", HOLDER, str(descriptor)]
@@ -167,12 +168,12 @@ class Holder:
             command,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            pass_fds=[descriptor],
+            pass_fds=[descriptor, held],
             text=True,
         )
         os.close(descriptor)
-        self.pidfd = os.pidfd_open(self.child.pid)
-        self.process = LoopProcess(self.pidfd, self.lifeline)
+        os.close(held)
+        self.process = LoopProcess(self.pipe, self.lifeline)
 
     def listen(self):
         return self.child.stdout.readline().strip()
@@ -186,7 +187,7 @@ class Holder:
         self.child.wait()
         for end in (self.child.stdin, self.child.stdout):
             end.close()
-        os.close(self.pidfd)
+        os.close(self.pipe)
 
 
 @pytest.fixture
@@ -209,7 +210,7 @@ def test_the_end_of_a_loop_wakes_the_guard(holder, number):
     assert holder.process.has_ended(60.0)
 
 
-def test_a_released_lifeline_leaves_it_to_the_descriptor(holder):
+def test_a_released_lifeline_leaves_it_to_the_pipe(holder):
     assert holder.listen() == "held"
     holder.say("release")
     assert holder.listen() == "released"

@@ -11,7 +11,7 @@ import pytest
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.lifeline import map_lifeline
 from hapticplayer.haptics.limiter import ZERO
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import anonymous_memory
 from tests.unit.haptics.test_loop import CONSTANT, Rig
 
 HOLDER = """

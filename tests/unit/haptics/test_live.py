@@ -9,7 +9,8 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO, Limits
 from hapticplayer.haptics.live import BLEND_S, LIVE_BYTES, LIVE_VALID_S, LiveForce
 from hapticplayer.haptics.messages import MessageKind
-from hapticplayer.haptics.track import anonymous_memory, map_track, to_shared_memory
+from hapticplayer.haptics.track import map_track, to_shared_memory
+from hapticplayer.linux import anonymous_memory
 from tests.faults.haptic_rig import Rig
 
 LIMITS = Limits()

@@ -12,8 +12,7 @@ from hapticplayer.haptics.follower import CHECKED_PER_TICK
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
 from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING
 from hapticplayer.haptics.messages import MessageKind
-from hapticplayer.haptics.scheduling import CpuLatencyRequest
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import CpuLatencyRequest, anonymous_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 from tests.doubles import SimulatedFalcon
 from tests.rigs import LoopRig

@@ -15,8 +15,8 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import GUARD_LATE_S, HapticsProcesses, Health
-from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import SharedBlock
+from hapticplayer.linux import SWITCH, Scheduling
 from hapticplayer.model import ForceTrack, PlaybackClock
 from tests.material.plant_record import read_record
 
@@ -110,12 +110,16 @@ def shared_block_of(loop_pid):
         return SharedBlock(file.fileno())
 
 
-@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSEGV])
-def test_the_force_goes_to_zero_when_the_player_is_killed(number):
+@pytest.mark.parametrize(
+    ("number", "without"),
+    [(signal.SIGKILL, ""), (signal.SIGSEGV, ""), (signal.SIGKILL, "robust-mutex")],
+)
+def test_the_force_goes_to_zero_when_the_player_is_killed(number, without):
     player = subprocess.Popen(
         [sys.executable, str(HERE / "killed_player.py")],
         stdout=subprocess.PIPE,
         text=True,
+        env={**os.environ, SWITCH: without},
     )
     try:
         loop_pid = int(player.stdout.readline())

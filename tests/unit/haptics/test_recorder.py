@@ -22,7 +22,7 @@ from hapticplayer.haptics.recorder import (
 )
 from hapticplayer.haptics.records import RecordWriter, open_record
 from hapticplayer.haptics.shared import BLOCK_BYTES, RING_TICKS, SharedBlock
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import anonymous_memory
 
 HERE = Path(__file__).parent
 PATIENCE_S = 30.0
@@ -54,13 +54,18 @@ def ring():
 @pytest.fixture
 def loop():
     """A process that stands for the loop: it lives until its stdin closes."""
+    end, held = os.pipe()
     process = subprocess.Popen(
         [sys.executable, "-S", "-c", "import sys; sys.stdin.read()"],
         stdin=subprocess.PIPE,
+        pass_fds=[held],
     )
+    os.close(held)
+    process.end = end
     yield process
     process.stdin.close()
     process.wait()
+    os.close(end)
 
 
 @pytest.fixture
@@ -72,7 +77,7 @@ def start(ring, loop, tmp_path):
         path = tmp_path / name
         recording = LoopRecording(path, ring.descriptor)
         started.append(recording)
-        recording.start(loop.pid, {"device": "test", "scheduling": "fifo"})
+        recording.start(loop.end, {"device": "test", "scheduling": "fifo"})
         return recording, path
 
     yield start_one
@@ -284,7 +289,7 @@ def test_a_removed_file_ends_it_with_a_reason(start, ring, capfd):
 def test_a_block_of_another_version_is_refused(tmp_path, loop, capfd):
     descriptor = anonymous_memory("test", 4096)
     recorder = LoopRecording(tmp_path / "record", descriptor)
-    recorder.start(loop.pid, {})
+    recorder.start(loop.end, {})
     os.close(descriptor)
     assert recorder.process.wait(PATIENCE_S) == Status.FAILED
     assert "versions differ" in capfd.readouterr().err
@@ -310,7 +315,7 @@ def test_a_recording_holds_what_came_before_its_start(ring, loop, tmp_path):
     path = tmp_path / "record"
     handle = LoopRecording(path, ring.descriptor)
     ring.tick(50)
-    handle.start(loop.pid, {"device": "test"})
+    handle.start(loop.end, {"device": "test"})
     loop.kill()
     handle.finish()
     handle.finish()  # a second time does no harm
@@ -324,7 +329,7 @@ def test_a_recording_of_a_loop_that_never_was_leaves_no_file(ring, tmp_path):
     assert path.exists()
     handle.finish()
     assert not path.exists()
-    handle.start(os.getpid(), {})  # too late: ignored
+    handle.start(-1, {})  # too late: ignored
     assert not path.exists()
     assert handle.problem == ""
 
@@ -336,7 +341,7 @@ def test_a_recording_that_cannot_start_is_reported(ring, loop, tmp_path, monkeyp
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(RecordWriter, "begin", fail)
-    handle.start(loop.pid, {})
+    handle.start(loop.end, {})
     assert "is full" in handle.problem
     handle.finish()
     assert "is full" in handle.problem

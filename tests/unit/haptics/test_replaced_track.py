@@ -16,7 +16,8 @@ from hapticplayer.haptics.follower import CHECKED_PER_TICK
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import MessageKind
 from hapticplayer.haptics.processes import HapticsProcesses
-from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.haptics.track import to_shared_memory
+from hapticplayer.linux import anonymous_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 from tests.doubles import SimulatedFalcon
 from tests.rigs import FeedingPlayer, LoopRig

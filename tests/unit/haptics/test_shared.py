@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hapticplayer.haptics.shared import BLOCK_BYTES, RING_TICKS, SharedBlock
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import anonymous_memory
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import ChannelLevel
 

@@ -6,7 +6,8 @@ import os
 import numpy as np
 import pytest
 
-from hapticplayer.haptics.track import anonymous_memory, map_track, to_shared_memory
+from hapticplayer.haptics.track import map_track, to_shared_memory
+from hapticplayer.linux import anonymous_memory
 from hapticplayer.model import ForceTrack, Reconstruction
 
 

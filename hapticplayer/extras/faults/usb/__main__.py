@@ -15,7 +15,7 @@ from hapticplayer.extras.faults.usb.mechanics import (
     SimulatedMechanics,
 )
 from hapticplayer.extras.faults.usb.server import UsbServer, serve_acts
-from hapticplayer.haptics.scheduling import outlive_the_player
+from hapticplayer.haptics.lifeline import outlive_the_player
 from hapticplayer.simulation.falcon.process import (
     PlantRecorder,
     device_parser,

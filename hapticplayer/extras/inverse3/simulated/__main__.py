@@ -13,7 +13,7 @@ from websockets.sync.server import Server, ServerConnection, serve
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.dynamics import HANDS
 from hapticplayer.extras.inverse3.simulated.service import Service, simulation_of
-from hapticplayer.haptics.scheduling import outlive_the_player
+from hapticplayer.haptics.lifeline import outlive_the_player
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
     Control,

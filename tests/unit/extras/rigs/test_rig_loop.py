@@ -21,7 +21,8 @@ from hapticplayer.haptics.block import REFUSED, SENT
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
-from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.haptics.track import to_shared_memory
+from hapticplayer.linux import anonymous_memory
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.rig import NEUTRAL, RigMotion
 from hapticplayer.model.rig_track import RigTrack

@@ -12,16 +12,11 @@ from types import SimpleNamespace
 
 import pytest
 
-from hapticplayer.haptics.scheduling import (
-    WINDOW_SLICE_NS,
-    Scheduling,
-    hasten_window,
-    lock_memory,
-)
+from hapticplayer.linux import WINDOW_SLICE_NS, Scheduling, hasten_window, lock_memory
 
 LOCKER = """
 import json, sys
-from hapticplayer.haptics.scheduling import lock_memory
+from hapticplayer.linux import lock_memory
 
 def locked_kb():
     words = open("/proc/self/status").read().split()
@@ -95,8 +90,8 @@ def test_memory_is_locked_now_and_later():
 
 MAPPER = """
 import json, mmap, sys
-from hapticplayer.haptics.scheduling import lock_memory
-from hapticplayer.haptics.track import anonymous_memory
+from hapticplayer.linux import lock_memory
+from hapticplayer.linux import anonymous_memory
 
 lock_memory(on_fault=False)
 descriptor = anonymous_memory("track", 50_000_000)
