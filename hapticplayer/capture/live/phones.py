@@ -4,6 +4,7 @@ Sources: phyphox-android cb5f8d8 (RemoteServer.java), umer0586/SensorServer f68c
 tszheichoi/awesome-sensor-logger b10f5c5.
 """
 
+import contextlib
 import http.client
 import json
 import math
@@ -64,15 +65,16 @@ class Queued:
 
     def put(self, events: Iterable[Event], arrival_s: float) -> None:
         """Hand over what has arrived; what nobody reads for long is dropped."""
-        found = list(events)
-        if self._waiting.full():
-            self._waiting.get_nowait()
-        self._waiting.put((arrival_s, found))
+        self._hand((arrival_s, list(events)))
 
     def fail(self, problem: HapticPlayerError) -> None:
         """End it with an error, once all has been read."""
         self._problem = problem
-        self._waiting.put((self._clock.now_s(), []))
+        self._hand((self._clock.now_s(), []))
+
+    def _hand(self, read: tuple[float, list[Event]]) -> None:
+        with contextlib.suppress(queue.Full):  # nobody reads: waiting would end nothing
+            self._waiting.put_nowait(read)
 
     def read(self, timeout_s: float) -> Samples:
         try:
@@ -301,14 +303,15 @@ class SensorServerSource:
             if self._clock.now_s() < self._again_s:
                 return
             self._connection = self._opened()
-        text = self._connection.receive(timeout_s)
-        while text:
+        for number in range(_MOST_WAITING):  # who sends without end is not heard so
+            text = self._connection.receive(0.0 if number else timeout_s)
+            if not text:
+                return
             arrival_s = self._clock.now_s()
             content = text.encode() if isinstance(text, str) else text
             event = sensor_server_event(content, self._where)
             if event is not None:
                 self._join.add(*event, arrival_s)
-            text = self._connection.receive()
 
     def close(self) -> None:
         if self._connection is not None:
