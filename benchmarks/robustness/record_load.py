@@ -19,7 +19,7 @@ import numpy as np
 
 from benchmarks.common import ROOT, Report
 from hapticplayer.capture import read_recording
-from hapticplayer.capture.recorded import read_take
+from hapticplayer.capture.recorded import CLIP, read_take
 from hapticplayer.clock import SystemClock
 from hapticplayer.sequence import open_sequence
 from tests.material.recording import MICROPHONE, Board, camera, clock_error_s
@@ -52,7 +52,9 @@ def _cost(folder: Path, seconds: float, report: Report) -> None:
     words += ["--audio", MICROPHONE, "--imu", board.source]
     sound = MICROPHONE.partition(":")[2]
     ffmpeg = ["ffmpeg", "-v", "error", "-f", "lavfi", "-i", _FILM, "-f", "lavfi", "-i"]
-    ffmpeg += [sound, "-c:v", "libx264", "-preset", "ultrafast", "-tune", "zerolatency"]
+    # every frame at its own time, as the recorder keeps it; else half of them are dropped
+    ffmpeg += [sound, "-fps_mode", "passthrough", "-enc_time_base:v", "1:1000"]
+    ffmpeg += ["-c:v", "libx264", "-preset", "ultrafast", "-tune", "zerolatency"]
     ffmpeg += ["-crf", "23", "-pix_fmt", "yuv420p", "-c:a", "pcm_s16le"]
     running = {
         "hapticplayer record": _started(*map(str, words)),
@@ -65,6 +67,10 @@ def _cost(folder: Path, seconds: float, report: Report) -> None:
         process.send_signal(signal.SIGTERM)  # may not be ignored, as SIGINT is by some
         process.wait()
     board.unplug()
+    for name, clip in zip(
+        seen, (folder / "take" / CLIP, folder / "ffmpeg.mkv"), strict=True
+    ):
+        seen[name] |= {"frames": _frames(clip), "file_mb": clip.stat().st_size / 1e6}
     take = read_take(folder / "take")
     assert take.camera is not None
     assert take.imu is not None
@@ -74,12 +80,14 @@ def _cost(folder: Path, seconds: float, report: Report) -> None:
             f"{100 * one['cpu_share']:.0f}",
             f"{one['rss_mb']:.0f}",
             f"{one['mb_per_hour']:+.1f}",
+            f"{one['frames']:.0f}",
+            f"{one['file_mb']:.0f}",
         ]
         for name, one in seen.items()
     ]
     report.table(
         f"{seconds:.0f} s of {SIZE} at 30 frames/s",
-        ["recorder", "CPU % of a core", "MB", "MB per hour"],
+        ["recorder", "CPU % of a core", "MB", "MB per hour", "frames", "file MB"],
         rows,
         mark="record_load",
     )
@@ -128,6 +136,12 @@ def _watched(
             "mb_per_hour": 3600.0 * float(np.polyfit(at_s[late], mb[late], 1)[0]),
         }
     return found
+
+
+def _frames(clip: Path) -> int:
+    line = ["ffprobe", "-v", "error", "-select_streams", "v", "-count_packets"]
+    line += ["-show_entries", "stream=nb_read_packets", "-of", "csv=p=0", str(clip)]
+    return int(subprocess.run(line, capture_output=True, check=True).stdout)
 
 
 def _cpu_s(pid: int) -> float:

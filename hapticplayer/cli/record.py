@@ -122,6 +122,7 @@ def _line(state: RecorderState) -> str:
         parts.append(f"{state.imu_hz:.0f} samples/s")
     if state.level_db is not None:
         parts.append(f"{state.level_db:.0f} dB")
+    parts.append(f"{state.free_bytes / 1e9:.1f} GB free")
     if lost := state.dropped_frames + state.dropped_samples:
         parts.append(f"{lost} dropped")
     return ", ".join(parts)

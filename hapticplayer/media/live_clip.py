@@ -16,7 +16,7 @@ import numpy as np
 from av.audio.frame import AudioFrame
 from av.audio.resampler import AudioResampler
 from av.container import OutputContainer
-from av.video.frame import VideoFrame
+from av.video.frame import PictureType, VideoFrame
 from av.video.reformatter import VideoReformatter
 from av.video.stream import VideoStream
 from numpy.typing import NDArray
@@ -94,6 +94,7 @@ class LiveClip:
     def _encoded(self, frame: VideoFrame, ms: int) -> list[AnyPacket]:
         yuv = self._reformatter.reformat(frame, format="yuv420p")
         yuv.pts, yuv.time_base = ms, _STEP
+        yuv.pict_type = PictureType.NONE  # a raw frame says "key frame", each of them
         return self._video.encode(yuv)
 
     def _write(self, packets: Sequence[AnyPacket], ms: int) -> None:

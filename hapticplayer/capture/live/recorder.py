@@ -27,7 +27,6 @@ from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import (
     HapticPlayerError,
     InputError,
-    MediaError,
     Message,
     UsageError,
     message_of,
@@ -37,13 +36,18 @@ from hapticplayer.media.live_input import CAMERAS, MICROPHONES, Live, LiveInput
 from hapticplayer.storage import (
     FOLDER,
     StorageError,
+    disk_of,
     lock_folder,
     refuse_existing,
     sync_folder,
+    write_problem,
 )
 
 LOW_BYTES = 500 << 20
 """Of free disk, below which a person is told."""
+
+FILM_BYTES, LOG_BYTES = 32 << 20, 1 << 20
+"""Of free disk, below which film and log end, so that each gets its end and is whole."""
 
 CHECK_AT_S = 20.0
 """When what an IMU has sent is compared with gravity."""
@@ -103,6 +107,7 @@ class Recorder:
         self._lock: int | None = None
         self._is_damaged = self._is_low = self._ended_alone = False
         self._is_away = self._is_news = False
+        self._full: set[str] = set()
 
     def start(self) -> None:
         """Open the devices, make the folder, and record.
@@ -163,10 +168,9 @@ class Recorder:
             try:
                 record()
             except (HapticPlayerError, OSError) as problem:
-                if isinstance(problem, OSError):
-                    problem = StorageError.of(problem, self.folder)
-                self._is_damaged |= _is_of_writing(problem, self.folder)
                 what = message_of(problem)
+                if (written := _of_writing(problem, self.folder)) is not None:
+                    self._is_damaged, what = True, written
                 self._tell(Message("{stream}: {what}", stream=name, what=what))
             finally:
                 self._over.add(name)
@@ -191,10 +195,13 @@ class Recorder:
             self._add_frame(first)
             for live in others:
                 self._add_frame(live)
-                if self._stopping.is_set():
+                if self._is_to_end("camera"):
                     return
         finally:
             self._camera.close()
+
+    def _is_to_end(self, stream: str) -> bool:
+        return self._stopping.is_set() or stream in self._full
 
     def _add_frame(self, live: Live) -> None:
         assert self._clip is not None
@@ -210,7 +217,7 @@ class Recorder:
         assert self._microphone is not None
         try:
             for live in self._microphone.packets():
-                if self._stopping.is_set():
+                if self._is_to_end("camera"):
                     return
                 self._clip.add_sound(live)
                 self._sound.take(
@@ -222,7 +229,7 @@ class Recorder:
     def _record_source(self) -> None:
         assert self._log is not None
         try:
-            while not self._stopping.is_set():
+            while not self._is_to_end("imu"):
                 try:
                     media_s, stamp_s = self._log.read(self._clock)
                 except SourceLost as problem:
@@ -283,8 +290,8 @@ class Recorder:
             self._tell_of_silence()
             if now_s - synced_s >= _SYNC_S:
                 synced_s = now_s
-                self._sync()
                 self._tell_of_disk()
+                self._sync()
             if self._is_news or now_s - described_s >= _DESCRIBE_S:
                 described_s, self._is_news = now_s, False
                 self._describe()
@@ -329,27 +336,66 @@ class Recorder:
             self._is_low = True
             self._tell(
                 Message(
-                    "only {free_mb} MB of the disk are free", free_mb=free_bytes >> 20
+                    "only {free_mb} MB of the disk are free, enough for {minutes:.0f} min",
+                    free_mb=free_bytes >> 20,
+                    minutes=self._lasts_s(free_bytes) / 60.0,
                 )
             )
+        for stream, least_bytes in (("camera", FILM_BYTES), ("imu", LOG_BYTES)):
+            if free_bytes < least_bytes and self._is_recording(stream):
+                self._full.add(stream)
+                self._tell(
+                    Message(
+                        "{stream}: ends here, the disk at {disk} is full; what was "
+                        "recorded is kept",
+                        stream=stream,
+                        disk=disk_of(self.folder),
+                    )
+                )
+
+    def _is_recording(self, stream: str) -> bool:
+        return stream in self._threads and stream not in self._over | self._full
+
+    def _lasts_s(self, free_bytes: int) -> float:
+        """For how long the disk lasts, as it was filled so far."""
+        written = sum(one.stat().st_size for one in self.folder.iterdir())
+        return self._elapsed_s() * free_bytes / max(1, written)
 
     def _free_bytes(self) -> int:
         place = self.folder if self.folder.exists() else self.folder.absolute().parent
         return shutil.disk_usage(place).free
 
     def _sync(self) -> None:
-        """Put what was written on disk, should the power fail."""
-        if self._log is not None and "imu" not in self._over:
-            self._log.sync()
-        if self._clip is not None:
-            sync_folder(self._clip.path)
+        """Put what was written on disk, should the power fail; end a film that is over."""
+        try:
+            if self._log is not None and "imu" not in self._over:
+                self._log.sync()
+            if self._clip is not None:
+                sync_folder(self._clip.path)
+        except (OSError, ValueError) as problem:  # ValueError: has just been closed
+            self._tell_of_writing(problem)
+        films = {"camera", "microphone"} & self._threads.keys()
+        if self._clip is not None and films <= self._over:
+            self._end_clip(self._clip)
+
+    def _end_clip(self, clip: LiveClip) -> None:
+        try:
+            clip.close()
+        except HapticPlayerError as problem:
+            self._tell_of_writing(problem)
+
+    def _tell_of_writing(self, problem: Exception) -> None:
+        """Tell, once, that the folder cannot be written."""
+        what = _of_writing(problem, self.folder)
+        if what is not None and not self._is_damaged:
+            self._tell(what)
+        self._is_damaged |= what is not None
 
     def _describe(self, *, is_finished: bool = False) -> None:
         try:
             self._description(is_finished=is_finished).write(self.folder)
         except StorageError as problem:
-            self._is_damaged = True
-            self._tell(message_of(problem))
+            self._tell_of_writing(problem)
 
     def _description(self, *, is_finished: bool = False) -> Take:
         camera, audio, source = self._names
@@ -422,11 +468,7 @@ class Recorder:
         for watch in self._watches():
             watch.end(end_s)
         if self._clip is not None:
-            try:
-                self._clip.close()
-            except MediaError as problem:
-                self._is_damaged = True
-                self._notices.append(message_of(problem))
+            self._end_clip(self._clip)
         self._describe(is_finished=not self._is_damaged)
         if self._lock is not None:
             os.close(self._lock)
@@ -460,7 +502,18 @@ class Recorder:
         )
 
 
-def _is_of_writing(problem: HapticPlayerError, folder: Path) -> bool:
-    """Whether the folder failed, not a device."""
+def _of_writing(problem: Exception, folder: Path) -> Message | None:
+    """What to tell where the folder failed, not a device; None for a device."""
     where = getattr(problem, "where", "") or ""
-    return isinstance(problem, StorageError) or where.startswith(str(folder))
+    is_ours = isinstance(problem, (StorageError, OSError))
+    if not is_ours and not where.startswith(str(folder)):
+        return None
+    cause = problem if isinstance(problem, OSError) else problem.__cause__
+    reason = message_of(problem)
+    if isinstance(cause, OSError):
+        reason = write_problem(cause, folder)
+    return Message(
+        "{folder} cannot be written ({reason}); what was recorded until now is kept",
+        folder=folder,
+        reason=reason,
+    )
