@@ -30,6 +30,7 @@ import numpy as np
 from benchmarks.common import Report, on_one_thread
 from hapticplayer.capture import synchronize
 from hapticplayer.capture.clock_lag import FRAMES, stamped_here
+from hapticplayer.capture.frames import FrameRotation
 from hapticplayer.capture.live.byte_stream import ByteSource, SampleCount
 from hapticplayer.capture.live.phones import phyphox_events
 from hapticplayer.capture.live.sensor_join import ACCEL, RATE, SensorJoin
@@ -64,6 +65,8 @@ BATCH_S, POLL_S, DELAY_S, LOST, PHONE_PPM = (
 )
 USB_S, WAKE_UP_S = 0.001, 0.0005
 SETTLED_S = 10.0
+Seen = list[FrameRotation]
+"""What frames have told, once they were followed."""
 MOST_MS = {"serial": 5.0, "phone": 15.0}
 MOST_AFTER_MS = 3.0
 FILM_S, FRAME_RATE_HZ, CAMERA_LATE_S = 30.0, 30.0, 0.02
@@ -281,16 +284,25 @@ def by_taps(taken: Taken, clip: PatClip) -> dict[str, float]:
     }
 
 
-def by_frames(taken: Taken, motion: Rolled, film: Path) -> dict[str, float]:
-    """The errors of one recording without sound, ms, as its import makes them."""
+def by_frames(taken: Taken, motion: Rolled, film: Path, seen: Seen) -> dict[str, float]:
+    """The errors of one recording without sound, ms, as its import makes them.
+
+    The frames are followed once for both sources, whose clocks are some ms apart.
+    """
     media_s = taken.clock.host_s(taken.samples.stamp_s) - HOST_S
     log = ImuLog(media_s, taken.samples.accel_mps2, taken.samples.rate_radps)
-    residual_s, clip = taken.clock.residual_s, probe(film)
+    residual_s = taken.clock.residual_s
+
+    def look() -> FrameRotation:
+        if not seen:
+            seen.append(watch(probe(film), no_progress, log))
+        return seen[0]
+
     inputs = SyncInput(
         log,
         lambda: ClipSound(np.zeros(0)),
         own=ClockMap(0.0, 1.0, residual_s, 1.0),
-        look=lambda: watch(clip, no_progress, log),
+        look=look,
         lag=stamped_here(residual_s),
     )
     found = automatic(inputs)
@@ -337,9 +349,10 @@ def run(options: argparse.Namespace, report: Report) -> None:
         with tempfile.TemporaryDirectory(prefix="hp-live-") as folder:
             film = Path(folder) / "clip.mkv"
             motion.film(film)
+            seen: Seen = []
             for name, take in SOURCES.items():
                 taken = take(motion, np.random.default_rng([seed, 2]))
-                filmed[name].append(by_frames(taken, motion, film))
+                filmed[name].append(by_frames(taken, motion, film, seen))
     for name in SOURCES:
         figures = _figures(tapped[name], filmed[name])
         report.figures[name] = figures

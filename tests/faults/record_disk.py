@@ -9,7 +9,8 @@ import sys
 from pathlib import Path
 
 from hapticplayer.capture import read_recording
-from hapticplayer.capture.live import recorder as module
+from hapticplayer.capture.live import disk_watch
+from hapticplayer.capture.live.recorder import Recorder
 from hapticplayer.capture.live.source import open_source
 from hapticplayer.capture.recorded import parts_of, read_take
 from hapticplayer.clock import SystemClock
@@ -21,18 +22,22 @@ CLOCK = SystemClock()
 SIZE, ROOM = "4m", 1_300_000
 
 
-def recorded(disk: Path, board: recording.Board) -> module.Recorder:
+def recorded(disk: Path, board: recording.Board) -> Recorder:
     """A recording that has begun on a disk with little room."""
     mount(disk, f"size={SIZE}")
-    module.LOW_BYTES, module.FILM_BYTES, module.LOG_BYTES = ROOM, 1 << 20, 1 << 17
+    disk_watch.LOW_BYTES, disk_watch.FILM_BYTES, disk_watch.LOG_BYTES = (
+        ROOM,
+        1 << 20,
+        1 << 17,
+    )
     source = open_source(board.source, CLOCK)
     camera = recording.camera("640x480")
-    made = module.Recorder(disk / "take", camera, None, source, CLOCK)
+    made = Recorder(disk / "take", camera, None, source, CLOCK)
     made.start()
     return made
 
 
-def wait_until(made: module.Recorder, condition) -> None:
+def wait_until(made: Recorder, condition) -> None:
     """Raise AssertionError after some time."""
     until_s = CLOCK.now_s() + 20.0
     while not condition(made.snapshot(with_frame=False)):
@@ -45,7 +50,7 @@ def told(words: str):
     return lambda state: any(words in one for one in state.notices)
 
 
-def low(disk: Path, made: module.Recorder) -> None:
+def low(disk: Path, made: Recorder) -> None:
     """Others take room, but for little."""
     room = os.statvfs(disk).f_bavail * 4096 - ROOM - 100_000
     (disk / "others").write_bytes(bytes(max(0, room)))
@@ -55,9 +60,9 @@ def low(disk: Path, made: module.Recorder) -> None:
     made.stop()
 
 
-def full(disk: Path, made: module.Recorder) -> None:
+def full(disk: Path, made: Recorder) -> None:
     """Others take all the room there is; they leave once it has ended."""
-    wait_until(made, lambda state: state.frames > 20)
+    wait_until(made, lambda state: state.frames > 40)
     filler = fill(disk)
     wait_until(made, told("is full"))
     wait_until(made, lambda state: state.is_over)

@@ -5,7 +5,7 @@ import pytest
 pytestmark = pytest.mark.realtime
 
 
-def test_a_film_ends_whole_while_there_is_room_and_the_log_goes_on(on_its_own_disk):
+def test_a_film_ends_whole_before_the_disk_is_full(on_its_own_disk):
     found = on_its_own_disk("record_disk.py", "low")
     assert found["is_finished"]
     assert found["film_s"] > 0.2

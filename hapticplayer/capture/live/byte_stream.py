@@ -206,17 +206,20 @@ class ByteSource:
         self._count, self._where, self._remedy = count, where, remedy
         self._is_stamped = False
         self._unread, self._unread_since_s = 0, clock.now_s()
+        self._read_s = self._unread_since_s
 
     def read(self, timeout_s: float) -> Samples:
         data = self._link.read(timeout_s)
-        now_s = self._clock.now_s()
+        before_s, now_s = self._read_s, self._clock.now_s()
+        self._read_s = now_s
         readings = self._decoder.feed(data) if data else []
         self._refuse_unreadable(len(data), bool(readings), now_s)
         if not readings:
             return Samples.of(())
+        # a line that is faster than its baud, as a USB port may be, is no slower than this
+        byte_s = min(self._link.byte_s, (now_s - before_s) / len(data))
         found = [
-            (now_s - (len(data) - one.end + one.size) * self._link.byte_s, one)
-            for one in readings
+            (now_s - (len(data) - one.end + one.size) * byte_s, one) for one in readings
         ]
         stamps = self._stamps(readings, found[-1][0])
         rows = [

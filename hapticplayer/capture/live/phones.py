@@ -43,6 +43,8 @@ Event = tuple[str, float, tuple[float, ...]]
 _Nanoseconds = Annotated[int, Meta(ge=-(1 << 62), le=1 << 62)]
 _POLL_S, _POLL_TIMEOUT_S = 0.05, 1.0
 _AGAIN_S = 1.0
+GRAVITY_S = 2.0
+"""Within which Sensor Logger has sent each of its sensors."""
 _MOST_BYTES, _MOST_WAITING = 8 << 20, 1000
 _UPDATE = Message("update the app, or choose another source")
 
@@ -350,6 +352,7 @@ class SensorLoggerReader:
 
     def __init__(self, where: str) -> None:
         self._where, self.has_total = where, False
+        self._seen: set[str] = set()
         self._origin_ns: int | None = None
 
     def events(self, content: bytes) -> Iterator[Event]:
@@ -357,6 +360,7 @@ class SensorLoggerReader:
             content, _LoggerMessage, self._where, InputError, _UPDATE, MAX_BODY_BYTES
         )
         names = {entry.name.lower() for entry in held.payload}
+        self._seen |= names
         self.has_total = self.has_total or _TOTAL in names
         for entry in held.payload:
             name, values = entry.name.lower(), entry.values
@@ -373,12 +377,17 @@ class SensorLoggerReader:
             if len(found) == 3:
                 yield sensor, (entry.time - self._origin_ns) * NANO, found
 
+    @property
+    def lacks_gravity(self) -> bool:
+        """Whether acceleration came, but never gravity."""
+        return "accelerometer" in self._seen and not {"gravity", _TOTAL} & self._seen
+
 
 class SensorLoggerSource:
     """Waits for what the app posts to a server that runs meanwhile."""
 
     def __init__(self, address: str, port: int, clock: Clock, where: str) -> None:
-        self._clock = clock
+        self._clock, self._where, self._began_s = clock, where, math.inf
         self._reader = SensorLoggerReader(where)
         self._queued = Queued(clock, SensorJoin(with_gravity=True), where)
         self._server = PushServer(self._take, address, port)
@@ -397,6 +406,15 @@ class SensorLoggerSource:
         if self._reader.has_total:
             self._queued.join.without_gravity()
         self._queued.put(events, arrival_s)
+        self._began_s = min(self._began_s, arrival_s)
+        if self._reader.lacks_gravity and arrival_s - self._began_s > GRAVITY_S:
+            self._queued.fail(
+                SourceLost(
+                    "sends acceleration from which gravity was removed",
+                    where=self._where,
+                    remedy="choose Gravity beside Accelerometer in Sensor Logger",
+                )
+            )
 
     def close(self) -> None:
         self._server.close()

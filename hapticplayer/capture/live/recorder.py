@@ -6,13 +6,13 @@ left of the disk. What fails is told and marked, and the rest goes on.
 
 import contextlib
 import os
-import shutil
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 
+from hapticplayer.capture.live.disk_watch import DiskWatch, of_writing
 from hapticplayer.capture.live.imu_file import ImuFile
 from hapticplayer.capture.live.recorder_state import RecorderState
 from hapticplayer.capture.live.source import (
@@ -36,21 +36,13 @@ from hapticplayer.media.live_input import CAMERAS, MICROPHONES, Live, LiveInput
 from hapticplayer.storage import (
     FOLDER,
     StorageError,
-    disk_of,
     lock_folder,
     refuse_existing,
     sync_folder,
-    write_problem,
 )
 
-LOW_BYTES = 500 << 20
-"""Of free disk, below which a person is told."""
-
-FILM_BYTES, LOG_BYTES = 32 << 20, 1 << 20
-"""Of free disk, below which film and log end, so that each gets its end and is whole."""
-
-CHECK_AT_S = 20.0
-"""When what an IMU has sent is compared with gravity."""
+GRAVITY_AT_S, CHECK_AT_S = 3.0, 20.0
+"""When what an IMU has sent is searched for gravity, and when it is compared with it."""
 
 _LOOK_S, _SYNC_S, _DESCRIBE_S, _JOIN_S = 0.1, 1.0, 5.0, 3.0
 _AGAIN_S = 0.5
@@ -105,9 +97,9 @@ class Recorder:
         self._marks_s: list[float] = []
         self._zero_s, self._began, self._shown_until_s = 0.0, "", 0.0
         self._lock: int | None = None
-        self._is_damaged = self._is_low = self._ended_alone = False
+        self._is_damaged = self._ended_alone = False
         self._is_away = self._is_news = False
-        self._full: set[str] = set()
+        self._disk = DiskWatch(self.folder)
 
     def start(self) -> None:
         """Open the devices, make the folder, and record.
@@ -169,7 +161,7 @@ class Recorder:
                 record()
             except (HapticPlayerError, OSError) as problem:
                 what = message_of(problem)
-                if (written := _of_writing(problem, self.folder)) is not None:
+                if (written := of_writing(problem, self.folder)) is not None:
                     self._is_damaged, what = True, written
                 self._tell(Message("{stream}: {what}", stream=name, what=what))
             finally:
@@ -201,7 +193,7 @@ class Recorder:
             self._camera.close()
 
     def _is_to_end(self, stream: str) -> bool:
-        return self._stopping.is_set() or stream in self._full
+        return self._stopping.is_set() or stream in self._disk.ended
 
     def _add_frame(self, live: Live) -> None:
         assert self._clip is not None
@@ -262,13 +254,13 @@ class Recorder:
             self._is_away = True
             self._motion.lose()
             self._silent.add("imu")
-            what = Message(
-                "imu: {where} {what}; the rest goes on, and it is taken up again as soon "
-                "as it is back",
-                where=lost.where,
-                what=lost.what,
+            self._tell(
+                Message(
+                    "imu: {what}; the rest goes on, and it is taken up again as soon as "
+                    "it is back",
+                    what=message_of(lost),
+                )
             )
-            self._tell(what)
         while not self._stopping.wait(_AGAIN_S):
             try:
                 source.open_again()
@@ -284,28 +276,34 @@ class Recorder:
 
     def _look_after(self) -> None:
         synced_s = described_s = self._clock.now_s()
-        is_checked = False
+        checks: list[tuple[float, Callable[[OpenedSource], object]]] = [
+            (GRAVITY_AT_S, OpenedSource.check_gravity),
+            (CHECK_AT_S, OpenedSource.checked),
+        ]
         while not self._stopping.wait(_LOOK_S):
             now_s = self._clock.now_s()
             self._tell_of_silence()
             if now_s - synced_s >= _SYNC_S:
                 synced_s = now_s
-                self._tell_of_disk()
+                for notice in self._disk.look(self._elapsed_s(), self._recorded()):
+                    self._tell(notice)
                 self._sync()
             if self._is_news or now_s - described_s >= _DESCRIBE_S:
                 described_s, self._is_news = now_s, False
                 self._describe()
-            if not is_checked and self._elapsed_s() >= CHECK_AT_S:
-                is_checked = True
-                self._tell_of_contradiction()
+            is_due = checks and self._elapsed_s() >= checks[0][0]
+            if is_due and not self._passes(checks.pop(0)[1]):
+                checks = []
 
-    def _tell_of_contradiction(self) -> None:
-        """Tell, once, where gravity contradicts what is known of the IMU."""
+    def _passes(self, check: Callable[[OpenedSource], object]) -> bool:
+        """Tell where gravity contradicts what is known of the IMU."""
         if isinstance(self._source, OpenedSource) and self._motion.count:
             try:
-                self._source.checked()
+                check(self._source)
             except (InputError, UsageError) as problem:
                 self._tell(message_of(problem))
+                return False
+        return True
 
     def _tell_of_silence(self) -> None:
         """Tell when a stream falls silent and is back; of one that stutters, now and then."""
@@ -330,40 +328,8 @@ class Recorder:
                 self._silent.discard(watch.name)
                 self._tell(Message("{stream}: is back", stream=watch.name))
 
-    def _tell_of_disk(self) -> None:
-        free_bytes = self._free_bytes()
-        if free_bytes < LOW_BYTES and not self._is_low:
-            self._is_low = True
-            self._tell(
-                Message(
-                    "only {free_mb} MB of the disk are free, enough for {minutes:.0f} min",
-                    free_mb=free_bytes >> 20,
-                    minutes=self._lasts_s(free_bytes) / 60.0,
-                )
-            )
-        for stream, least_bytes in (("camera", FILM_BYTES), ("imu", LOG_BYTES)):
-            if free_bytes < least_bytes and self._is_recording(stream):
-                self._full.add(stream)
-                self._tell(
-                    Message(
-                        "{stream}: ends here, the disk at {disk} is full; what was "
-                        "recorded is kept",
-                        stream=stream,
-                        disk=disk_of(self.folder),
-                    )
-                )
-
-    def _is_recording(self, stream: str) -> bool:
-        return stream in self._threads and stream not in self._over | self._full
-
-    def _lasts_s(self, free_bytes: int) -> float:
-        """For how long the disk lasts, as it was filled so far."""
-        written = sum(one.stat().st_size for one in self.folder.iterdir())
-        return self._elapsed_s() * free_bytes / max(1, written)
-
-    def _free_bytes(self) -> int:
-        place = self.folder if self.folder.exists() else self.folder.absolute().parent
-        return shutil.disk_usage(place).free
+    def _recorded(self) -> set[str]:
+        return self._threads.keys() - self._over
 
     def _sync(self) -> None:
         """Put what was written on disk, should the power fail; end a film that is over."""
@@ -386,7 +352,7 @@ class Recorder:
 
     def _tell_of_writing(self, problem: Exception) -> None:
         """Tell, once, that the folder cannot be written."""
-        what = _of_writing(problem, self.folder)
+        what = of_writing(problem, self.folder)
         if what is not None and not self._is_damaged:
             self._tell(what)
         self._is_damaged |= what is not None
@@ -496,24 +462,7 @@ class Recorder:
             dropped_samples=motion.dropped,
             gaps=tuple(self._gaps()),
             marks_s=tuple(self._marks_s),
-            free_bytes=self._free_bytes(),
+            free_bytes=self._disk.free_bytes(),
             notices=tuple(self._notices),
             is_over=self._ended_alone or self._are_all_over(),
         )
-
-
-def _of_writing(problem: Exception, folder: Path) -> Message | None:
-    """What to tell where the folder failed, not a device; None for a device."""
-    where = getattr(problem, "where", "") or ""
-    is_ours = isinstance(problem, (StorageError, OSError))
-    if not is_ours and not where.startswith(str(folder)):
-        return None
-    cause = problem if isinstance(problem, OSError) else problem.__cause__
-    reason = message_of(problem)
-    if isinstance(cause, OSError):
-        reason = write_problem(cause, folder)
-    return Message(
-        "{folder} cannot be written ({reason}); what was recorded until now is kept",
-        folder=folder,
-        reason=reason,
-    )

@@ -360,10 +360,17 @@ class OpenedSource:
         self._last_s = float(before[-1])
         return np.asarray(stamp_s > before[:-1])
 
+    def _last_samples(self) -> Samples:
+        parts = zip(*(Samples.of(()), *self._recent), strict=True)
+        return Samples(*(np.concatenate(part) for part in parts))
+
+    def check_gravity(self) -> None:
+        """Raise InputError where the last half minute holds none."""
+        source_answers.refuse_gravity_free(self._last_samples().accel_mps2, self.text)
+
     def checked(self) -> Recording:
         """The last half minute, checked at rest and in turns; see `source_answers`."""
-        parts = zip(*(Samples.of(()), *self._recent), strict=True)
-        recent = Samples(*(np.concatenate(part) for part in parts))
+        recent = self._last_samples()
         values = recent.accel_mps2, recent.rate_radps
         declares, choices = self.row.declares, self._choices
         return source_answers.checked(

@@ -107,6 +107,22 @@ def ask_for_missing(declares: Declaration, choices: LogChoices, where: str) -> N
         raise LogQuestion(Message("does not declare {what}", what=what), answers, where)
 
 
+def refuse_gravity_free(accel_mps2: Floats, text: str) -> None:
+    """Raise InputError for acceleration without gravity, as imports do.
+
+    Nothing could be checked, and nothing levelled.
+    """
+    if (
+        len(accel_mps2)
+        and np.linalg.norm(np.median(accel_mps2, axis=0)) < _NO_GRAVITY_MPS2
+    ):
+        raise InputError(
+            "sends acceleration from which gravity was removed",
+            where=text,
+            remedy="choose its acceleration with gravity (the raw accelerometer)",
+        )
+
+
 def checked(
     time_s: Floats,
     samples: tuple[Floats, Floats],
@@ -132,12 +148,7 @@ def checked(
     if not len(time_s):
         remedy = Message("see whether it is switched on")
         raise InputError("has sent no sample yet", where=text, remedy=remedy)
-    if np.linalg.norm(np.median(samples[0], axis=0)) < _NO_GRAVITY_MPS2:
-        raise InputError(
-            "sends acceleration from which gravity was removed",
-            where=text,
-            remedy="choose its acceleration with gravity (the raw accelerometer)",
-        )
+    refuse_gravity_free(samples[0], text)
     sign = -1.0 if known.accel_sign == "-" else 1.0
     accel = samples[0] / (sign * factor(known.accel_unit, ACCEL_UNITS, "accel-unit"))
     rate = samples[1] / factor(known.rate_unit, RATE_UNITS, "rate-unit")

@@ -77,6 +77,9 @@ def test_frames_have_the_times_of_their_stamps(tmp_path, camera):
     assert all(written)
     wanted = [n / 30 + 0.004 * (n % 3) for n in range(40) if n % 10 != 5]
     assert frame_times(tmp_path / "clip.mkv") == pytest.approx(wanted, abs=0.0006)
+    with av.open(str(tmp_path / "clip.mkv")) as file:
+        keys = [one.is_keyframe for one in file.demux(video=0) if one.size]
+    assert sum(keys) == 1  # raw frames say that each of them is one
 
 
 def test_a_frame_without_a_time_of_its_own_is_dropped(tmp_path, camera):

@@ -327,6 +327,16 @@ def test_sensor_logger_posts_to_a_path_that_nobody_guesses(logger):
     assert rows[0, 1:] == pytest.approx([0.0, 0.0, 0.0, 9.3, 0.1, 0.2, 0.3])
 
 
+def test_sensor_logger_without_gravity_names_what_to_choose(logger, monkeypatch):
+    monkeypatch.setattr(phones, "GRAVITY_S", 0.0)
+    alone = logger_message(("accelerometer", T0, (0, 0, 0.1)))
+    url = logger.how.values["url"]
+    post(url, alone)
+    assert post(url, alone) == 200
+    with pytest.raises(SourceLost, match="choose Gravity beside Accelerometer"):
+        read_until(logger, 1)
+
+
 @pytest.mark.parametrize(
     ("status", "change"),
     [

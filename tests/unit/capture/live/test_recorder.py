@@ -108,7 +108,7 @@ def test_an_imu_that_comes_back_is_recorded_on_by_its_new_clock(make, board, tmp
     assert sum("taken up again" in one for one in take.notices) == 1
     (gap,) = take.gaps
     imu = read_recording(folder).imu
-    assert len(imu) == take.imu.count
+    assert take.imu.count - len(imu) < 4  # of lines that were cut by the unplugging
     rows = np.searchsorted(imu.time_s, 0.5 * (gap.begin_s + gap.end_s))
     for part in (imu.part(slice(rows)), imu.part(slice(rows, None))):
         assert abs(recording.clock_error_s(part, take)) < 0.03

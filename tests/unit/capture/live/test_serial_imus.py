@@ -164,10 +164,20 @@ def source_of(decoder, clock, *parts, rate_hz=None):
 def test_arrivals_of_a_batch_are_apart_by_their_bytes(clock):
     data = (WT901_ACCEL + WT901_RATE) * 2 + b"\x55\x51"
     source = source_of(Wt901Decoder(), clock, data, rate_hz=100.0)
+    clock.advance(0.02)
     samples = source.read(0.0)
     # 22 bytes each, and two of the next one, of 0.1 ms
-    assert samples.arrival_s == pytest.approx([99.9954, 99.9976])
+    assert samples.arrival_s == pytest.approx([100.0154, 100.0176])
     assert np.diff(samples.stamp_s) == pytest.approx([0.01])
+
+
+def test_bytes_faster_than_their_baud_came_after_the_last_read(clock):
+    sample = WT901_ACCEL + WT901_RATE
+    source = source_of(Wt901Decoder(), clock, sample, sample * 10, rate_hz=100.0)
+    source.read(0.0)
+    clock.advance(0.011)  # in which 5 samples would fit
+    arrival_s = source.read(0.0).arrival_s
+    assert arrival_s == pytest.approx(clock.now_s() - 0.0011 * np.arange(10, 0, -1))
 
 
 def test_a_source_that_sends_something_else_is_given_up(clock):

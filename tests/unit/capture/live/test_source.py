@@ -100,22 +100,31 @@ def test_acceleration_without_gravity_is_refused(motion):
         InputError, match="gravity was removed; choose its acceleration"
     ):
         source.checked()
+    with pytest.raises(InputError, match="gravity was removed"):
+        source.check_gravity()
 
 
 @pytest.mark.realtime
-def test_a_recorder_tells_where_gravity_contradicts(motion, tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    ("gravity", "words"),
+    [(1.0, "decide with --read-as accel-unit=g"), (0.0, "removed")],
+)
+def test_a_recorder_tells_where_gravity_contradicts(
+    motion, tmp_path, monkeypatch, gravity, words
+):
     monkeypatch.setattr(recorder, "CHECK_AT_S", 0.2)
-    wrong = motion._replace(accel_mps2=motion.accel_mps2 / 9.80665)
+    monkeypatch.setattr(recorder, "GRAVITY_AT_S", 0.1)
+    wrong = motion._replace(accel_mps2=gravity * motion.accel_mps2 / 9.80665)
     clock = SystemClock()
     source = OpenedSource("board:x", ROW, Sent(wrong, rest=clock), LogChoices())
     made = recorder.Recorder(tmp_path / "take", None, None, source, clock)
     made.start()
     until_s, told = clock.now_s() + 10.0, ""
-    while "accel-unit=g" not in told and clock.now_s() < until_s:
+    while words not in told and clock.now_s() < until_s:
         clock.sleep_until(clock.now_s() + 0.05)
         told = " ".join(made.snapshot().notices)
     made.stop()
-    assert "decide with --read-as accel-unit=g" in told
+    assert told.count(words) == 1
 
 
 def rows(*stamps):
