@@ -21,6 +21,7 @@ from app.experimenter.study_menu import StudyMenu
 from app.player import choices
 from app.player.commands import Actions
 from app.player.controls import Controls
+from app.player.demo_end import DemoEnd
 from app.player.dialogs import Dialogs
 from app.player.display import Display, PlotArea
 from app.player.dropping import Dropping
@@ -45,6 +46,7 @@ from app.widgets.layout import column_of
 from app.widgets.messages import JobBar, MessageBar, OfferBar, RecoveryBar
 from app.widgets.theme import icon
 from hapticplayer.clock import Clock
+from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 
@@ -192,6 +194,9 @@ class PlayerWindow(QMainWindow):
         self.plots.sought.connect(self.player.seek)
         transport.feedback_chosen.connect(session.choose_feedback)
         transport.device_chosen.connect(self._on_device_chosen)
+        end = self._demo_end = DemoEnd(session, self.surface)
+        end.import_clicked.connect(lambda: self._on_demo_end("import_recording"))
+        end.device_clicked.connect(lambda: self._on_demo_end("set_up_device"))
         page.demo_clicked.connect(session.open_demo)
         page.open_clicked.connect(self.dialogs.open_sequence)
         page.import_clicked.connect(self.dialogs.import_recording)
@@ -307,6 +312,16 @@ class PlayerWindow(QMainWindow):
         if not self.playlist.follow_end():
             self.player.seek(0.0)
             self.player.play()
+        elif (
+            self.player.snapshot().phase is Phase.ENDED
+            and not self.session.jobs.is_busy
+        ):
+            self._demo_end.offer()
+
+    def _on_demo_end(self, name: str) -> None:
+        """Go on with a command after the demo; dialogs are not behind a full screen."""
+        self.fullscreen.leave()
+        self.commands.by_name[name].trigger()
 
     @property
     def controls(self) -> Controls:
