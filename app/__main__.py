@@ -14,11 +14,16 @@ if TYPE_CHECKING:
     from types import FrameType
 
 
+_WITHOUT_WINDOW = {"-h", "--help", "--version"}
+
+
 def main(argv: "Sequence[str] | None" = None) -> int:
     """Run a command; with a window where there is a display."""
     from hapticplayer import cli
 
-    return cli.main(argv, _open_window if has_display() else None)
+    words = set(sys.argv[1:] if argv is None else argv)
+    is_shown = words.isdisjoint(_WITHOUT_WINDOW) and has_display()
+    return cli.main(argv, _open_window if is_shown else None)
 
 
 def command() -> int:

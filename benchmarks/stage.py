@@ -69,13 +69,28 @@ def screen(
 
 def pixel_reader(framebuffer: Path) -> Callable[[], bytes]:
     """A reader of a pixel (blue, green, red) near the middle of a screen."""
+    memory, (width, height), at = _pixels_of(framebuffer)
+    begin = at(height // 2 - ASIDE_PX, width // 2 - ASIDE_PX)
+    return lambda: memory[begin : begin + 3]
+
+
+def rows_reader(framebuffer: Path) -> Callable[[], bytes]:
+    """A reader of rows of pixels (4 bytes each) across the upper middle of a screen."""
+    memory, (width, height), at = _pixels_of(framebuffer)
+    begins = [at(row, width // 4) for row in range(height // 4, height // 2, 12)]
+    return lambda: b"".join(memory[each : each + 2 * width] for each in begins)
+
+
+def _pixels_of(
+    framebuffer: Path,
+) -> tuple[mmap.mmap, tuple[int, int], Callable[[int, int], int]]:
+    """Memory of a screen, its width and height, and where a row and column is."""
     with framebuffer.open("rb") as file:
         memory = mmap.mmap(file.fileno(), 0, prot=mmap.PROT_READ)
     # XWD header, big-endian: size, version, format, depth, width, height, ...
     header = struct.unpack(">25I", memory[:100])
-    row, column = header[5] // 2 - ASIDE_PX, header[4] // 2 - ASIDE_PX
-    at = header[0] + 12 * header[19] + row * header[12] + 4 * column
-    return lambda: memory[at : at + 3]
+    begin, line = header[0] + 12 * header[19], header[12]
+    return memory, header[4:6], lambda row, column: begin + row * line + 4 * column
 
 
 @contextlib.contextmanager

@@ -159,7 +159,6 @@ def _begin(
     """Play what was asked for."""
     player = window.player
     if source is None:
-        window.dialogs.prepare()  # the user looks around
         if study:
             window.open_path(study)
         else:

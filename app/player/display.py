@@ -1,5 +1,7 @@
 """What is shown of a running clip beside the video, and how often."""
 
+import importlib
+import threading
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -117,7 +119,7 @@ LEAST_HEIGHT_PX = 124  # a title of two lines, a plot, and its times
 
 
 class PlotArea(QFrame):
-    """Holds the plots; pyqtgraph is imported when they are first wanted."""
+    """Holds the plots, which are made when they are first seen: see `make_soon`."""
 
     sought = Signal(float)
 
@@ -133,6 +135,8 @@ class PlotArea(QFrame):
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 1, 0, 0)
         self.panel: PlotPanel | None = None
+        self._steps = self._make()
+        self._importing: threading.Thread | None = None
 
     def set_source(self, source: Source | None) -> None:
         """Show another clip."""
@@ -142,21 +146,34 @@ class PlotArea(QFrame):
 
     def prepare(self) -> None:
         """Make the plots, in 0.2 s."""
-        for _ in self.in_steps():
+        for _ in self._steps:
             pass
 
-    def in_steps(self) -> Iterator[None]:
-        """Make the plots, a part at each turn."""
-        if self.panel is None:
-            from app.plots.panel import panel_in_steps
+    def make_soon(self) -> None:
+        """Make the plots, a part at each call, once pyqtgraph has come in a thread."""
+        if self._importing is None:
+            what = ("app.plots.panel",)
+            self._importing = threading.Thread(
+                target=importlib.import_module, args=what
+            )
+            self._importing.start()
+        elif not self._importing.is_alive():
+            next(self._steps, None)
 
-            panel = yield from panel_in_steps()
-            yield
-            panel.set_source(self._source)
-            panel.offer_grip(is_wanted=self._has_grip)
-            panel.sought.connect(self.sought)
-            self._column.addWidget(panel)
-            self.panel = panel
+    def in_steps(self) -> Iterator[None]:
+        """The parts of making them."""
+        return self._steps
+
+    def _make(self) -> Iterator[None]:
+        from app.plots.panel import panel_in_steps
+
+        panel = yield from panel_in_steps()
+        yield
+        panel.set_source(self._source)
+        panel.offer_grip(is_wanted=self._has_grip)
+        panel.sought.connect(self.sought)
+        self._column.addWidget(panel)
+        self.panel = panel
 
     def follow(self, now: Snapshot, ticks_since: TicksSince) -> None:
         """Draw what lies around a media time."""
@@ -210,6 +227,8 @@ class Display:
             return
         now_s = self._clock.now_s()
         player, now = self._session.player, self._session.player.snapshot()
+        if has_plots and self._plots.panel is None and self._has_begun(now):
+            self._plots.make_soon()
         if has_transport and self._transport_cadence.is_due(now_s):
             self._transport.follow(now.media_s)
         if has_plots and self._is_plots_turn(now_s, is_playing=now.is_playing):
@@ -218,6 +237,12 @@ class Display:
             self._plots.follow_grip(now, player.ticks_since)
         if has_health and self._health_cadence.is_due(now_s):
             self._health.show_readings(now, player.measurements())
+
+    def _has_begun(self, now: Snapshot) -> bool:
+        """Whether the first frames are on the screen, which nothing shall delay."""
+        if now.source is None:
+            return not self._session.jobs.is_busy
+        return now.frames_shown > now.is_playing
 
     def refresh_soon(self) -> None:
         """Draw everything at the next opportunity: something has changed."""

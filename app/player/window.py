@@ -249,8 +249,6 @@ class PlayerWindow(QMainWindow):
         """Show or hide the live plots."""
         self.commands.plots.setChecked(are_wanted)
         self.commands.grip.setEnabled(are_wanted)  # it is one of them
-        if are_wanted:
-            self.plots.prepare()
         self.fullscreen.will_show(self.plots, is_wanted=are_wanted)
 
     def show_grip(self, *, is_wanted: bool) -> None:

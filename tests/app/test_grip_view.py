@@ -427,6 +427,7 @@ def test_a_long_state_is_wrapped_and_shown_whole(qtbot):
 
 
 def test_the_window_shows_it_beside_the_plots_until_hidden(window, wait_for):
+    window.plots.prepare()
     view = window.plots.panel.grip
     wait_for(lambda: view.grip.state.startswith("No device: choose"))
     assert view.isVisible()
@@ -441,6 +442,7 @@ def test_the_window_shows_it_beside_the_plots_until_hidden(window, wait_for):
 
 
 def test_the_arrow_keys_turn_it_only_while_it_has_the_keyboard(playing):
+    playing.plots.prepare()
     view, window = playing.plots.panel.grip, playing.windowHandle()
     playing.player.pause()
     view.setFocus(Qt.FocusReason.TabFocusReason)

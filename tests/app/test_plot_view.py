@@ -163,5 +163,6 @@ def test_each_plot_has_a_button_to_save_it(panel):
 
 def test_a_click_on_a_plot_of_the_window_seeks(playing):
     playing.player.pause()
+    playing.plots.prepare()
     playing.plots.panel.force.sought.emit(1.5)
     assert playing.player.snapshot().media_s == pytest.approx(1.5)

@@ -22,7 +22,7 @@ def loaded(code: str, *prefixes: str) -> set[str]:
 
 
 def test_playing_loads_no_dialog_no_pipeline_and_no_driver() -> None:
-    heavy = {"matplotlib", "pandas", "scipy"}  # half of the time to the first picture
+    heavy = {"matplotlib", "pandas", "pyqtgraph", "scipy"}  # later than the first frame
     modules = loaded("import app.player.application", "app", "hapticplayer", *heavy)
     unwanted = {
         *dialogs.LATER,
