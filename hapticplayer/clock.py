@@ -8,6 +8,8 @@ uptime its resolution is still 4 ns.
 import time
 from typing import Protocol
 
+_LOOKS = 5
+
 
 class Clock(Protocol):
     """Monotonic time and waiting."""
@@ -21,8 +23,18 @@ class Clock(Protocol):
         ...
 
 
-WAKE_UP_S = 18e-6
-_LOOKS = 5
+class Poll(Protocol):
+    """As `select.poll` has it."""
+
+    def poll(self, timeout_ms: float, /) -> object: ...
+
+
+class WaitingClock(Clock, Protocol):
+    """A clock whose waiting can be ended."""
+
+    def wait(self, poll: Poll, deadline_s: float) -> None:
+        """Return at `deadline_s`, or before, when something has come."""
+        ...
 
 
 class SystemClock:
@@ -32,16 +44,14 @@ class SystemClock:
 
     @staticmethod
     def sleep_until(deadline_s: float) -> None:
-        """Sleep with clock_nanosleep, and spin for what waking up takes at least.
-
-        How long the kernel takes to come back changes by the hour (14 to 28 us with FIFO,
-        the median); what is asked for too much is spun away. See docs/performance.md.
-        """
+        """Sleep with clock_nanosleep; coming back takes 14 to 28 us with FIFO, the median."""
         remaining_s = deadline_s - time.monotonic()
-        if remaining_s > WAKE_UP_S:
-            time.sleep(remaining_s - WAKE_UP_S)
-        while time.monotonic() < deadline_s:
-            pass
+        if remaining_s > 0.0:
+            time.sleep(remaining_s)
+
+    @staticmethod
+    def wait(poll: Poll, deadline_s: float) -> None:
+        poll.poll(max(0.0, 1e3 * (deadline_s - time.monotonic())))
 
 
 class ManualClock:
@@ -63,6 +73,9 @@ class ManualClock:
     def sleep_until(self, deadline_s: float) -> None:
         """Leap to the deadline."""
         self._now_s = max(self._now_s, deadline_s)
+
+    def wait(self, _poll: Poll, deadline_s: float) -> None:
+        self.sleep_until(deadline_s)
 
 
 def utc_now_iso(timespec: str = "seconds") -> str:

@@ -41,6 +41,10 @@ NAP_S = 0.0015
 GAP_S = 0.008
 """Drawing plots and labels takes 2 to 5 ms; a frame must not wait for it."""
 LONGEST_WITHOUT_GAP_S = 0.1
+REST_AFTER_S = 30.0
+"""Without anything due and without a person: as the haptic loop's own rest."""
+REST_MS, REST_GAP_S = 100, 0.5
+"""At rest. Heartbeats are due every 150 ms, also then; what is shown stands still."""
 
 
 class Pump(QObject):
@@ -49,7 +53,7 @@ class Pump(QObject):
     A precise single-shot timer is armed again after each call, whatever happened in it:
     an error reaches sys.excepthook, the next call comes all the same. `gap` is called
     after `poll` when nothing is due for a while: the time to draw everything but the
-    video.
+    video. One that `rests` calls less often while nothing happens, until `wake`.
     """
 
     def __init__(
@@ -58,9 +62,12 @@ class Pump(QObject):
         clock: Clock,
         gap: Callable[[], None],
         parent: QObject | None = None,
+        *,
+        rests: bool = False,
     ) -> None:
         super().__init__(parent)
-        self._poll = poll
+        self._poll, self._rests, self.is_resting = poll, rests, False
+        self._active_s = clock.now_s()
         self._clock = clock
         self._gap = gap
         self._last_gap_s = float("-inf")
@@ -80,23 +87,42 @@ class Pump(QObject):
         self._is_running = False
         self.timer.stop()
 
+    def wake(self) -> None:
+        """A person is here, or something happens."""
+        self._active_s = self._clock.now_s()
+        if self.is_resting and self._is_running:
+            self.is_resting = False
+            self.timer.start(0)
+
     def beat(self) -> None:
         """Poll the player if it is due, and come back when it is again."""
-        if self._due_s - self._clock.now_s() <= NAP_S:
+        if not self.is_resting and self._due_s - self._clock.now_s() <= NAP_S:
             self._clock.sleep_until(self._due_s)
-        next_s = self._clock.now_s()
+        next_s = begin_s = self._clock.now_s()
         try:
             next_s = self._poll()
+            self._note_rest(begin_s, next_s)
             self._fill_gap(next_s)
         finally:
             self._due_s = next_s
             if self._is_running:
-                self.timer.start(delay_ms(next_s - self._clock.now_s()))
+                left_ms = delay_ms(next_s - self._clock.now_s())
+                self.timer.start(REST_MS if self.is_resting else left_ms)
+
+    def _note_rest(self, begin_s: float, next_s: float) -> None:
+        if (
+            1e3 * (next_s - begin_s) < LONGEST_MS - 1.0
+        ):  # a frame, or one that is awaited
+            self._active_s = begin_s
+        is_quiet = begin_s - self._active_s > REST_AFTER_S
+        self.is_resting = self._rests and is_quiet
 
     def _fill_gap(self, next_s: float) -> None:
         now_s = self._clock.now_s()
         is_free = next_s - now_s >= GAP_S
-        if is_free or now_s - self._last_gap_s >= LONGEST_WITHOUT_GAP_S:
+        longest_s = REST_GAP_S if self.is_resting else LONGEST_WITHOUT_GAP_S
+        is_overdue = now_s - self._last_gap_s >= longest_s
+        if is_overdue or (is_free and not self.is_resting):
             self._last_gap_s = now_s
             self._gap()
 

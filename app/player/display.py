@@ -154,7 +154,7 @@ class PlotArea(QFrame):
         if self._importing is None:
             what = ("app.plots.panel",)
             self._importing = threading.Thread(
-                target=importlib.import_module, args=what
+                target=importlib.import_module, args=what, name="plots"
             )
             self._importing.start()
         elif not self._importing.is_alive():

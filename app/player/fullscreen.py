@@ -15,9 +15,19 @@ from PySide6.QtWidgets import (
 from app.player.video_surface import VideoSurface
 from app.widgets.layout import TITLE_BAR_PX
 
+_PERSON = {
+    QEvent.Type.KeyPress,
+    QEvent.Type.MouseButtonPress,
+    QEvent.Type.MouseMove,
+    QEvent.Type.Wheel,
+    QEvent.Type.TouchBegin,
+    QEvent.Type.DragEnter,
+    QEvent.Type.FocusIn,
+}
+
 
 class EscapeFilter(QObject):
-    """Sees the key before the dialog or menu that it closes.
+    """Sees the key before the dialog or menu that it closes, and that a person is here.
 
     The window's own shortcut does not reach into modal dialogs and open menus. The
     filter sits on the native windows, which get every key first and little else: on the
@@ -25,9 +35,14 @@ class EscapeFilter(QObject):
     reaches its widget.
     """
 
-    def __init__(self, stop: Callable[[], None], parent: QObject) -> None:
+    def __init__(
+        self,
+        stop: Callable[[], None],
+        parent: QObject,
+        seen: Callable[[], None] = lambda: None,
+    ) -> None:
         super().__init__(parent)
-        self._stop, self._is_installed = stop, False
+        self._stop, self._seen, self._is_installed = stop, seen, False
         self._application = QGuiApplication.instance()
 
     def install(self) -> None:
@@ -52,6 +67,8 @@ class EscapeFilter(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
         """Look at keys on their way into a native window, once for each press."""
+        if event.type() in _PERSON:
+            self._seen()
         if (
             event.type() == QEvent.Type.KeyPress
             and watched.isWindowType()

@@ -4,7 +4,7 @@ import gc
 import math
 from dataclasses import dataclass, field
 
-from hapticplayer.clock import Clock
+from hapticplayer.clock import WaitingClock
 from hapticplayer.devices import DelayedDevice, HapticDevice
 from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.haptics.block import LoopBlock
@@ -26,7 +26,8 @@ from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector
 
 ZERO_TICKS_BEFORE_CLOSING = 5
 REST_AFTER_S = 30.0
-REST_PERIOD_S = 0.020  # buttons and unplugging are noticed within two
+REST_PERIOD_S = 0.040
+"""Unplugging is noticed within one, buttons within two; what the player says at once."""
 _RESTING = (Mode.IDLE, Mode.TRIPPED)
 
 
@@ -37,7 +38,7 @@ class Loop(TrackFollower):
     `tick` is public so that tests drive it on a virtual clock.
     """
 
-    clock: Clock
+    clock: WaitingClock
     block: LoopBlock
     line: MessageSocket
     device: HapticDevice
@@ -58,7 +59,8 @@ class Loop(TrackFollower):
     def run(self) -> None:
         """Tick until the player quits or is gone, then leave zero on the wire.
 
-        At 1 kHz; at 50 Hz when there was no force for 30 s and nothing plays.
+        At 1 kHz; at 25 Hz when there was no force for 30 s and nothing plays, and when
+        the player says something.
         """
         gc.collect()
         gc.freeze()
@@ -67,10 +69,14 @@ class Loop(TrackFollower):
         deadline_s = clock.now_s() + PERIOD_S
         last_ticks = ZERO_TICKS_BEFORE_CLOSING
         while last_ticks:
-            clock.sleep_until(deadline_s)
-            now_s = clock.now_s()
+            if self.is_resting:
+                clock.wait(self.line.poll, deadline_s)
+                deadline_s = now_s = clock.now_s()
+            else:
+                clock.sleep_until(deadline_s)
+                now_s = clock.now_s()
             late_s = now_s - deadline_s
-            missed = 0 if self.is_resting else int(late_s / PERIOD_S)
+            missed = int(late_s / PERIOD_S)
             self.tick(now_s, late_s, missed)
             if self.is_resting:
                 deadline_s = now_s + REST_PERIOD_S
@@ -134,9 +140,11 @@ class Loop(TrackFollower):
         try:
             self.reading = reading = self.device.exchange(force_n, now_s)
         except DeviceError as problem:
-            self._is_device_gone = True
+            self._is_device_gone = self._is_needed = True
             self.line.send(MessageKind.LOST, message_of(problem))
             return
+        if reading.buttons:
+            self._is_needed = True
         if reading.levels is not self._levels:
             self._levels = reading.levels
             self.block.write_levels(reading.levels)

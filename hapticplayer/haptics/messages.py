@@ -27,6 +27,7 @@ class MessageKind(enum.Enum):
     STOP = b"S"
     REARM = b"A"
     QUIT = b"Q"
+    WAKE = b"W"  # a clip is about to play
     FAULT = b"X"  # + its name; for simulated devices only
     READY = b"R"  # + scheduling class
     FAILED = b"E"  # + one sentence
@@ -57,10 +58,10 @@ class MessageSocket:
     def __init__(self, end: socket.socket, alarm: int = -1) -> None:
         end.setblocking(False)
         self._end, self._alarm = end, alarm
-        self._poll = select.poll()
-        self._poll.register(end, select.POLLIN)
+        self.poll = select.poll()
+        self.poll.register(end, select.POLLIN)
         if alarm >= 0:
-            self._poll.register(alarm, select.POLLIN)
+            self.poll.register(alarm, select.POLLIN)
         self.is_open = True
         self.is_alarmed = False
         self._owed: MessageKind | None = None
@@ -94,7 +95,7 @@ class MessageSocket:
             return None
         if self._owed is not None:
             self.insist(self._owed)
-        ready = self._poll.poll(timeout_ms)
+        ready = self.poll.poll(timeout_ms)
         self.is_alarmed = bool(ready) and self._has_alarm(ready)
         if not ready:
             return None
@@ -116,7 +117,7 @@ class MessageSocket:
     def _has_alarm(self, ready: list[tuple[int, int]]) -> bool:
         events = dict(ready).get(self._alarm, 0)
         if events & (select.POLLHUP | select.POLLERR | select.POLLNVAL):
-            self._poll.unregister(self._alarm)  # its process has ended
+            self.poll.unregister(self._alarm)  # its process has ended
             return False
         return bool(events)
 

@@ -83,7 +83,7 @@ class HapticsProcesses:
         self.scheduling = self.problem = self.notice = ""
         self._clock, self._wanted_scheduling = clock, scheduling
         self._tail, self._next_track_id = 0, 1
-        self._release_s = 0.0
+        self._release_s = self._rate = 0.0
         self._track_ids: dict[str, int] = {}
         self._is_loop_ready = False
         self._processes: dict[str, Process] = {}
@@ -246,6 +246,9 @@ class HapticsProcesses:
         """
         if self.health is Health.READY:
             self.block.write_clock(clock, self._track_ids.get(track, 0))
+            if clock.rate and not self._rate:
+                self._send(MessageKind.WAKE)
+            self._rate = clock.rate
 
     def stop_force(self) -> None:
         """TRIP: zero at the next tick, until `rearm`."""

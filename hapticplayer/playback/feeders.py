@@ -5,17 +5,19 @@ import logging
 import threading
 from collections import deque
 from pathlib import Path
-from typing import Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.audio import AudioBlock, AudioDecoder
 from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.media.frames import DecodedFrame
-from hapticplayer.media.tempo import TempoFilter
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.sound_memory import CHANNELS
 from hapticplayer.playback.sound_ring import AudioRing
+
+if TYPE_CHECKING:
+    from hapticplayer.media.tempo import TempoFilter
 
 QUEUE_FRAMES = 5
 ROOM_S = 0.2  # seconds of sound lie ahead: there is no hurry
@@ -209,6 +211,8 @@ class AudioFeeder(Feeder[AudioDecoder]):
         self._speed = self._ring.speed
         self._tempo = None
         if self._speed != 1.0:
+            from hapticplayer.media.tempo import TempoFilter  # few play so
+
             self._tempo = TempoFilter(self._speed, self._ring.rate_hz)
 
     def _next_block(self) -> AudioBlock | None:

@@ -177,7 +177,10 @@ def make_window(application, qtbot, settings) -> Iterator[MakeWindow]:
         window.close()
         window.deleteLater()
     for thread in threading.enumerate():
-        if thread.name == "dialogs":  # loads modules for the process, not for a window
+        if thread.name in {
+            "dialogs",
+            "plots",
+        }:  # loads modules for the process, not for a window
             thread.join(PATIENCE_MS / 1000.0)
     left = [t.name for t in threading.enumerate() if t not in before and t.is_alive()]
     assert not left, f"threads were left behind: {left}"

@@ -7,7 +7,14 @@ import pytest
 
 from app.bridge.errors import ErrorGateway
 from app.bridge.jobs import Jobs
-from app.bridge.pump import LONGEST_MS, Cadence, Pump, delay_ms
+from app.bridge.pump import (
+    LONGEST_MS,
+    REST_AFTER_S,
+    REST_GAP_S,
+    Cadence,
+    Pump,
+    delay_ms,
+)
 from app.bridge.settings import Settings, default_path
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.errors import InputError
@@ -57,6 +64,33 @@ def test_the_pump_survives_an_error_in_a_poll(qapp, wait_for, qtbot):
         wait_for(lambda: len(calls) > 2)
         pump.stop()
     assert isinstance(caught[0][1], ValueError)
+
+
+def test_a_pump_rests_until_a_person_comes(qapp):
+    clock, gaps, due_s = ManualClock(), [], [0.034]
+
+    def poll() -> float:
+        return clock.now_s() + due_s[0]
+
+    def beat(seconds: float, every_s: float) -> int:
+        before = len(gaps)
+        for _ in range(round(seconds / every_s)):
+            clock.advance(every_s)
+            pump.beat()
+        return len(gaps) - before
+
+    pump = Pump(poll, clock, lambda: gaps.append(1), rests=True)
+    beat(REST_AFTER_S - 1.0, 0.1)
+    assert not pump.is_resting
+    beat(2.0, 0.1)
+    assert pump.is_resting
+    assert beat(10.0, 0.1) == pytest.approx(10.0 / REST_GAP_S, abs=4)
+    pump.wake()
+    beat(0.1, 0.1)
+    assert not pump.is_resting
+    due_s[0] = 0.02  # a clip plays
+    beat(2.0 * REST_AFTER_S, 0.1)
+    assert not pump.is_resting
 
 
 def test_the_gap_is_used_when_nothing_is_due_soon(qapp):

@@ -147,6 +147,7 @@ OWN = {
     ("hapticplayer/untrusted.py", "os.open"): "the one place",
     ("hapticplayer/untrusted.py", "open"): "the same, with the name of the file",
     ("hapticplayer/doctor.py", "read_text"): "files of the program and the system",
+    ("hapticplayer/extension.py", "read_text"): "files of installed packages",
     ("hapticplayer/extras/desktop/command.py", "read_text"): "files of the program",
     ("hapticplayer/study/creation.py", "read_text"): "templates of the program",
     ("hapticplayer/study/analysis/report.py", "read_bytes"): "written just before",

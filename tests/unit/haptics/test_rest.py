@@ -1,4 +1,4 @@
-"""Rest on a virtual clock: 50 Hz when nothing plays, 1 kHz before the first force."""
+"""Rest on a virtual clock: 25 Hz when nothing plays, 1 kHz before the first force."""
 
 import math
 
@@ -33,6 +33,10 @@ class BeatingClock(ManualClock):
         while self.acts and self.acts[0][0] <= self.now_s():
             self.acts.pop(0)[1]()
 
+    def wait(self, poll, deadline_s):
+        while self.now_s() < deadline_s and not poll.poll(0.0):
+            self.sleep_until(min(self.now_s() + 0.001, deadline_s))
+
 
 @pytest.fixture
 def rig(monkeypatch):
@@ -48,6 +52,8 @@ def rig(monkeypatch):
 def publish(rig, rate, epoch=1):
     now_s = rig.clock.now_s()
     rig.block.write_clock(PlaybackClock(epoch, now_s, 0.0, rate, now_s + 1e6), 1)
+    if rate:
+        rig.player.send(MessageKind.WAKE)
 
 
 def run(rig, acts, until_s):
@@ -61,10 +67,10 @@ def run(rig, acts, until_s):
     return records, records["monotonic_s"] - start_s
 
 
-def test_a_loop_without_work_rests_at_50_hz(rig):
+def test_a_loop_without_work_rests_at_25_hz(rig):
     records, time_s = run(rig, [(0.0, lambda: publish(rig, 0.0))], 2.0)
     resting = (time_s > 0.1) & (time_s < 1.99)
-    assert np.allclose(np.diff(time_s[resting]), 0.020, atol=1e-9)
+    assert np.allclose(np.diff(time_s[resting]), 0.040, atol=1e-9)
     assert np.allclose(np.diff(time_s[time_s < WAKES_AFTER_S]), PERIOD_S, atol=1e-9)
     assert set(records["cause"][resting]) == {Cause.PAUSED}  # no answer counts as late
     assert not records["missed"].any()
@@ -74,7 +80,7 @@ def test_the_loop_is_at_1_khz_again_before_the_first_force(rig):
     acts = [(0.0, lambda: publish(rig, 0.0)), (1.005, lambda: publish(rig, 1.0))]
     records, time_s = run(rig, acts, 2.0)
     first = int(np.argmax(records["mode"] == Mode.ENTERING))
-    assert 1.005 <= time_s[first] < 1.005 + 0.022
+    assert 1.005 <= time_s[first] < 1.005 + 0.004
     assert time_s[first] - time_s[first - 1] == pytest.approx(PERIOD_S)
     assert not records["force_n"][:first].any()
     assert np.abs(np.diff(records["force_n"][:-20, 1])).max() < 0.051
@@ -82,18 +88,22 @@ def test_the_loop_is_at_1_khz_again_before_the_first_force(rig):
 
 
 @pytest.mark.parametrize(
-    ("fault", "cause"),
+    ("fault", "cause", "within_s"),
     [
-        (lambda rig: rig.player.send(MessageKind.STOP), Cause.STOPPED),
-        (lambda rig: setattr(rig.device.simulation, "buttons", 1), Cause.GRIP_BUTTON),
-        (lambda rig: rig.device.unplug(), Cause.UNPLUGGED),
+        (lambda rig: rig.player.send(MessageKind.STOP), Cause.STOPPED, 0.002),
+        (
+            lambda rig: setattr(rig.device.simulation, "buttons", 1),
+            Cause.GRIP_BUTTON,
+            0.080,
+        ),
+        (lambda rig: rig.device.unplug(), Cause.UNPLUGGED, 0.040),
     ],
 )
-def test_at_rest_a_trip_is_noticed_within_40_ms(rig, fault, cause):
+def test_at_rest_a_trip_is_noticed_soon(rig, fault, cause, within_s):
     acts = [(0.0, lambda: publish(rig, 0.0)), (1.005, lambda: fault(rig))]
     records, time_s = run(rig, acts, 1.2)
     tripped = time_s[records["mode"] == Mode.TRIPPED]
-    assert 1.005 <= tripped[0] <= 1.005 + 0.040
+    assert 1.005 <= tripped[0] <= 1.005 + within_s + 1e-9
     assert records["cause"][time_s >= tripped[0]][0] == cause
     assert not records["force_n"].any()
 
@@ -108,7 +118,7 @@ def test_a_tripped_loop_rests_and_can_be_armed_again(rig):
     ]
     records, time_s = run(rig, acts, 3.0)
     resting = (time_s > 1.6) & (time_s < 1.99)
-    assert np.allclose(np.diff(time_s[resting]), 0.020, atol=1e-9)
+    assert np.allclose(np.diff(time_s[resting]), 0.040, atol=1e-9)
     assert records["force_n"][time_s < 2.9][-1, 1] == pytest.approx(2.0)
 
 
