@@ -169,11 +169,12 @@ class ParticipantWindow(QWidget):
             try:
                 action()
                 self.refresh()
-            except UsageError as problem:
+            except (StudyError, UsageError) as problem:
                 self.refused.emit(problem)
                 self.refresh()
+                word = "centre" if isinstance(problem, UsageError) else "problem"
                 if isinstance(self.content, TextPage) and self._runner is not None:
-                    self.content.show_problem(self._runner.maker.word("centre"))
+                    self.content.show_problem(self._runner.maker.word(word))
 
     def halt(self, reason: str) -> None:
         """Take the force away at once."""

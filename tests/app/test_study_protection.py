@@ -15,6 +15,7 @@ from app.bridge.desktop import NAME, Mpris
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.experimenter.study_menu import StudyProcess
 from app.participant.application import OPENED
+from hapticplayer.errors import StudyError
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.output import LENT
 from hapticplayer.study.creation import change_definition, create_study
@@ -252,3 +253,32 @@ def test_no_page_of_a_session_tells_a_condition_or_a_file(
                 where,
                 secret,
             )
+
+
+class ClosedRecorder:
+    """A stream of another program, which has ended."""
+
+    def begin(self, session):
+        self.code = session.code
+
+    def marker(self, text, monotonic_s):
+        pass
+
+    def force(self, monotonic_s, force_n):
+        pass
+
+    def check(self):
+        raise StudyError("LabRecorder was closed")
+
+
+def test_an_operator_is_told_why_a_trial_does_not_begin(make_study, sit, wait_for):
+    recorder = ClosedRecorder()
+    session = sit(make_study(), observer=recorder)
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.wait_page(PageKind.READY, "trial-01")
+    person.key(Qt.Key.Key_Enter)
+    wait_for(lambda: "LabRecorder was closed" in session.control.messages.text())
+    assert recorder.code == session.runner.plan.code
+    assert session.runner.page.kind is PageKind.READY
+    assert "please wait" in person.page.problem.text().lower()
