@@ -389,6 +389,7 @@ def _kind_text(kind: PageKind) -> str:
         PageKind.QUESTIONS: translate("SessionControl", "questions"),
         PageKind.DEMONSTRATION: translate("SessionControl", "demonstration"),
         PageKind.READY: translate("SessionControl", "ready"),
+        PageKind.INTERVAL: translate("SessionControl", "between two clips"),
         PageKind.PLAYING: translate("SessionControl", "playing"),
         PageKind.PAUSED: translate("SessionControl", "paused"),
         PageKind.PROBLEM: translate("SessionControl", "saving failed"),

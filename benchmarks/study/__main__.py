@@ -8,5 +8,6 @@ PLACES = {
     "kill": "study.kill",
     "analysis": "study.analysis",
     "ordinal": "study.ordinal",
+    "thresholds": "study.thresholds",
 }
 sys.exit(command("study", __doc__, PLACES))

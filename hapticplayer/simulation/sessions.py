@@ -18,12 +18,13 @@ from hapticplayer.study.definition import (
     QuestionPage,
     When,
 )
+from hapticplayer.study.intervals import presented
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.pages import PageMaker
 from hapticplayer.study.plan import describe
 from hapticplayer.study.questions import kind_of
 from hapticplayer.study.session_folder import ANSWERS
-from hapticplayer.study.steps import BEFORE, trial_step
+from hapticplayer.study.steps import BEFORE, AnsweredTrial, trial_step
 from hapticplayer.study.study_folder import Study, begin_session
 
 Values = Mapping[str, Any]
@@ -32,7 +33,7 @@ Values = Mapping[str, Any]
 def write_scripted_session(
     study: Study,
     sheet: Values,
-    rate: Callable[[Condition], Values | None],
+    rate: Callable[..., Values | None],
     clock: Clock,
     *,
     origin: Mapping[str, Any],
@@ -40,7 +41,8 @@ def write_scripted_session(
     """Write a whole session as if a participant had taken part, and return its code.
 
     `sheet` answers questions of the pages before and after the clips, `rate` a
-    condition's questions; None leaves the trial out, as if it had been skipped. `origin`
+    condition's questions, or those to the two that a trial plays; None leaves the trial
+    out, as if it had been skipped. `origin`
     says why there was no participant, such as `{"simulated": true, "seed": 1}`.
     """
     definition = study.definition
@@ -61,15 +63,22 @@ def write_scripted_session(
         journal.append("begin", scripted=dict(origin))
         for page in definition.pages_at(When.BEFORE):
             answer(page, sheet)
+        answered: list[AnsweredTrial] = []
         for number, condition in enumerate(session.plan.order):
-            values = rate(condition)
+            played = presented(definition, session.plan, number + 1, 1, answered)
+            values = rate(*played)
             coming = {"step": trial_step(number + 1), "attempt": 1}
             coming["condition"] = describe(condition)
             for page in definition.pages_at(When.BEFORE_CLIP):
                 answer(page, values or {}, BEFORE, **coming)
-            of = _write_trial(journal, number + 1, condition, values)
+            of = _write_trial(journal, number + 1, condition, values, played)
             for page in definition.pages_at(When.AFTER_CLIP):
                 answer(page, values or {}, **of)
+            made = AnsweredTrial(
+                *(number + 1, 1, condition, values or {}, True, (), {}),
+                presented=tuple(one.level for one in played) * (len(played) > 1),
+            )
+            answered.append(made)
         for page in definition.pages_at(When.AFTER):
             answer(page, sheet)
         journal.append("end", complete=True, reason="")
@@ -152,7 +161,11 @@ def random_questions(definition: Definition, known: Collection[str]) -> list[str
 
 
 def _write_trial(
-    journal: Journal, position: int, condition: Condition, values: Values | None
+    journal: Journal,
+    position: int,
+    condition: Condition,
+    values: Values | None,
+    played: tuple[Condition, ...],
 ) -> dict[str, Any]:
     """Write a trial, and return what its answers belong to."""
     step, described = trial_step(position), describe(condition)
@@ -167,5 +180,6 @@ def _write_trial(
         is_valid=True,
         reasons=[],
         playback={},
+        **({"presented": [describe(p.level) for p in played]} if played[1:] else {}),
     )
     return {"step": step, "attempt": 1, "condition": described}

@@ -16,11 +16,14 @@ from hapticplayer.study.definition import (
     OF_TRIALS,
     Condition,
     Definition,
+    FeedbackLevel,
     Question,
     QuestionKind,
+    Staircase,
     TrialKind,
     When,
 )
+from hapticplayer.study.intervals import compared, judged
 from hapticplayer.study.preregistration import Registered, read_registered
 from hapticplayer.study.score_answers import RatedAnswers, ScoreAnswers, collect_scores
 from hapticplayer.study.scoring import Limits, PageScores, Scoring
@@ -62,23 +65,28 @@ class Rating:
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """Whether one participant felt a shifted or scaled force as consistent.
+    """What one participant said of a force in a trial other than of ratings.
 
     Attributes:
         participant: code.
         sequence: key of the sequence.
         delay_s: delay of the force against the video, s.
         gain: of the force, 1 as recorded.
-        consistent: the answer; None where it is missing.
+        answer: yes or no, a number, or whether this force was chosen and not the
+            standard; None where it is missing.
         is_valid: whether the playback that was judged was without a fault.
+        feedback: key.
+        position: of the trial, from 1; 0 where it was not played.
     """
 
     participant: str
     sequence: str
     delay_s: float
     gain: float
-    consistent: bool | None
+    answer: bool | float | None
     is_valid: bool
+    feedback: str = ""
+    position: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +175,7 @@ class Answers:
         factors: keys of what is compared: scores, and questions after a clip whose
             answers are numbers and part of no score.
         open_answers: text answers.
-        judgements: answers of consistency trials.
+        judgements: answers of trials other than of ratings.
         repeated: ratings that were replaced by those of a repeated trial.
         notices: one sentence for each thing that could not be read or was left out.
         conduct: of the study.
@@ -177,6 +185,7 @@ class Answers:
         others: answers that are counted.
         scores: of scales.
         registered: the plan that was written before, and what differs from it.
+        trial, standard, staircase: of the definition.
     """
 
     participants: tuple[Participant, ...]
@@ -195,6 +204,9 @@ class Answers:
     others: tuple[AnswersTo, ...] = ()
     scores: tuple[ScoreAnswers, ...] = ()
     registered: Registered | None = None
+    trial: TrialKind = TrialKind.RATING
+    standard: FeedbackLevel | None = None
+    staircase: Staircase | None = None
 
 
 def simulated_mark(participants: Sequence[Participant]) -> str:
@@ -253,6 +265,9 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         others=tuple(_others(definition, collected)),
         scores=tuple(collect_scores(definition, [one.numbers for one in collected])),
         registered=registered,
+        trial=definition.trial,
+        standard=definition.standard,
+        staircase=definition.staircase,
     )
 
 
@@ -262,7 +277,7 @@ def _others(
     """Yield the answers that are counted, in the order of the definition."""
     keys = {*RatedAnswers(definition).ranges}
     keys |= {key for page in definition.pages for key in PageScores(page).items}
-    if definition.trial is TrialKind.CONSISTENCY and definition.judgement:
+    if definition.judgement is not None:
         keys.add(definition.judgement.key)
     language, feedbacks = definition.languages[0], definition.feedback_keys
     for when in When:
@@ -401,18 +416,21 @@ class _SessionAnswers:
 
     def judgements(self) -> Iterator[Judgement]:
         """Yield a judgement for each condition."""
-        question = self._definition.judgement
-        if self._definition.trial is not TrialKind.CONSISTENCY or question is None:
+        if self._definition.judgement is None:
             return
         for condition in self._definition.conditions:
             trial = self._trials.get(condition)
+            force = trial and compared(self._definition, trial)
+            force = force or condition.level
             yield Judgement(
                 self._session.code,
                 condition.sequence,
-                condition.delay_s,
-                condition.gain,
-                _of_type(trial.values.get(question.key), bool) if trial else None,
+                force.delay_s,
+                force.gain,
+                judged(self._definition, trial) if trial else None,
                 trial.is_valid if trial else True,
+                condition.feedback,
+                trial.position if trial else 0,
             )
 
     def open_answers(self) -> Iterator[TextAnswer]:

@@ -58,6 +58,27 @@ STUDY_TEMPLATES = (
         ),
     ),
     StudyTemplate(
+        "two-interval",
+        Message("Just noticeable change"),
+        Message(
+            "Each clip twice, once with a stronger or weaker force; in which one it was "
+            "stronger (forced choice)."
+        ),
+    ),
+    StudyTemplate(
+        "staircase",
+        Message("Staircase"),
+        Message(
+            "Each clip twice, once with a late force; the delay follows the answers "
+            "(2-down 1-up)."
+        ),
+    ),
+    StudyTemplate(
+        "magnitude",
+        Message("Magnitude estimation"),
+        Message("Forces of several strengths; a number in proportion after each clip."),
+    ),
+    StudyTemplate(
         "haptic-experience",
         Message("Haptic experience"),
         Message(

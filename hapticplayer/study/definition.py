@@ -51,8 +51,12 @@ class TrialKind(enum.StrEnum):
 
     RATING = "rating"
     """Conditions are compared by the answers."""
-    CONSISTENCY = "consistency"
-    """Whether a force that was shifted or scaled matched the video."""
+    YES_NO = "yes-no"
+    """A question about each level of a force, such as whether it matched the video."""
+    TWO_INTERVAL = "two-interval"
+    """In which of two plays of a clip something was: forced choice."""
+    MAGNITUDE = "magnitude"
+    """A number in proportion to what was felt of each level."""
 
 
 class QuestionKind(enum.StrEnum):
@@ -74,6 +78,13 @@ class RatingKind(enum.StrEnum):
     SLIDER = "slider"
     NUMBER = "number"
     HELD_KEY = "held-key"
+
+
+_JUDGED = {
+    TrialKind.YES_NO: QuestionKind.YES_NO,
+    TrialKind.TWO_INTERVAL: QuestionKind.CHOICE,
+    TrialKind.MAGNITUDE: QuestionKind.NUMBER,
+}
 
 
 class When(enum.StrEnum):
@@ -282,10 +293,37 @@ class StudyFeedback(JsonObject, frozen=True):
 
 
 class ForceLevel(JsonObject, frozen=True):
-    """Delay and gain of the force in a consistency trial."""
+    """Delay and gain of a force."""
 
     delay_s: Delay = 0.0
     gain: Gain = 1.0
+
+
+class FeedbackLevel(JsonObject, frozen=True):
+    """A feedback with delay and gain of its force."""
+
+    feedback: Key
+    delay_s: Delay = 0.0
+    gain: Gain = 1.0
+
+
+class Staircase(JsonObject, frozen=True):
+    """Levels that follow from the answers, see `intervals`.
+
+    Attributes:
+        changes: what is added to the standard.
+        correct: so many correct answers in a row make the change smaller.
+        start: first change; none is larger.
+        steps: between changes: the first until the first reversal, and so on; the last
+            is the smallest change, too.
+        trials: of each sequence and feedback.
+    """
+
+    changes: Literal["delay_s", "gain"]
+    correct: Annotated[int, Meta(ge=2, le=3)]
+    start: Amount
+    steps: Some[Amount]
+    trials: Annotated[int, Meta(ge=2, le=MAX_CONDITIONS)]
 
 
 class Condition(JsonObject, frozen=True):
@@ -296,6 +334,10 @@ class Condition(JsonObject, frozen=True):
     delay_s: Delay = 0.0
     gain: Gain = 1.0
     repeat: Annotated[int, Meta(ge=1, le=MAX_CONDITIONS)] = 1
+
+    @property
+    def level(self) -> FeedbackLevel:
+        return FeedbackLevel(self.feedback, self.delay_s, self.gain)
 
     @property
     def key(self) -> str:
@@ -395,8 +437,10 @@ class Definition(JsonObject, frozen=True):
         trial: kind of the trials.
         sequences, feedbacks: their combinations are the conditions, with `levels`; a
             feedback without parameters may be given by its name alone.
-        levels: of consistency trials.
-        repeats: how often each consistency trial is played.
+        levels: of the force, for trials other than of ratings.
+        repeats: how often each of these is played.
+        standard: of two-interval trials: what the other force is compared with.
+        staircase: of two-interval trials, in place of levels and repeats.
         pages: of questions, in this order within each `When`.
         texts: of the pages.
         words: labels of buttons.
@@ -427,6 +471,8 @@ class Definition(JsonObject, frozen=True):
     checks: Checks
     levels: Several[ForceLevel] = ()
     repeats: Annotated[int, Meta(ge=1, le=100)] = 1
+    standard: FeedbackLevel | None = None
+    staircase: Staircase | None = None
     while_watching: Several[LiveRating] = ()
     gap_s: Annotated[float, Meta(ge=0.0, le=3600.0)] = 0.0
     lsl: bool = False
@@ -450,14 +496,16 @@ class Definition(JsonObject, frozen=True):
     @property
     def conditions(self) -> tuple[Condition, ...]:
         """All conditions, in the order of the definition."""
-        if self.trial is TrialKind.RATING:
-            pairs = product(self.sequences, self.feedback_keys)
-            return tuple(Condition(s.key, feedback) for s, feedback in pairs)
+        as_it_is = (TrialKind.RATING, TrialKind.TWO_INTERVAL)
+        levels = self.levels or (ForceLevel(),) * (self.trial in as_it_is)
+        repeats = self.staircase.trials if self.staircase else self.repeats
+        of = self.sequences, self.feedback_keys, levels, range(repeats)
+        found = (
+            Condition(sequence.key, feedback, level.delay_s, level.gain, 1 + repeat)
+            for sequence, feedback, level, repeat in product(*of)
+        )
         return tuple(
-            Condition(s.key, feedback, level.delay_s, level.gain, 1 + repeat)
-            for s, feedback, level, repeat in product(
-                self.sequences, self.feedback_keys, self.levels, range(self.repeats)
-            )
+            one for one in found if self.staircase or one.level != self.standard
         )
 
     def pages_at(self, when: When) -> tuple[QuestionPage, ...]:
@@ -469,9 +517,9 @@ class Definition(JsonObject, frozen=True):
 
     @property
     def judgement(self) -> Question | None:
-        """The question whether force and video went together: the first yes or no."""
-        asked = self.questions_at(When.AFTER_CLIP)
-        return next((q for q in asked if q.kind is QuestionKind.YES_NO), None)
+        """The question that is analysed in trials other than of ratings."""
+        asked, kind = self.questions_at(When.AFTER_CLIP), _JUDGED.get(self.trial)
+        return next((q for q in asked if q.kind is kind), None)
 
     def expected_min(self, clip_s: Mapping[str, float]) -> int:
         """About how long a session takes, in steps of 5 minutes."""
@@ -479,6 +527,7 @@ class Definition(JsonObject, frozen=True):
         asked = len(self.questions_at(When.BEFORE, When.AFTER))
         asked += len(trials) * len(self.questions_at(*OF_TRIALS))
         played_s = sum(clip_s[trial.sequence] for trial in trials)
+        played_s *= 2 if self.trial is TrialKind.TWO_INTERVAL else 1
         all_s = played_s + asked * ANSWER_S + DEMONSTRATION_S
         return 5 * max(1, round(all_s / 300.0))
 

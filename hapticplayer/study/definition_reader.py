@@ -72,9 +72,11 @@ def _text_faults(made: Definition) -> Iterator[Fault]:
     """Texts that lack a language of the study, or have another one."""
     known = set(made.languages)
     for field, text in _texts(made):
-        for lacking in () if field.endswith("published") else known - text.keys():
+        for lacking in (
+            () if field.endswith("published") else sorted(known - text.keys())
+        ):
             yield field, *missing(lacking)
-        for foreign in text.keys() - known:
+        for foreign in sorted(text.keys() - known):
             yield field, *unknown(foreign, made.languages)
 
 
@@ -183,9 +185,10 @@ def _question_faults(made: Definition) -> Iterator[Fault]:
     if not after_clip:
         what = Message("has no question after a clip")
         yield "pages", what, Message("add a page that is shown after each clip")
-    elif made.trial is TrialKind.CONSISTENCY and made.judgement is None:
-        what = Message("has no yes-or-no question after a clip")
-        yield "pages", what, Message("add one: whether force and video went together")
+    if made.trial is not TrialKind.RATING:
+        from hapticplayer.study.intervals import faults_of_trials
+
+        yield from faults_of_trials(made)
     for field, when, asked in _questions(made):
         for name, what, remedy in kind_of(asked).faults():
             yield f"{field}.{name}", what, remedy
@@ -210,7 +213,6 @@ def _faults_of_scores(made: Definition) -> Iterator[Fault]:
 
 _RENAME, _OTHER = Message("rename one of them"), Message("choose another key")
 _REMOVE = Message("remove it")
-_OF_CONSISTENCY: dict[str, Any] = {"levels": (), "repeats": 1}
 
 
 def _unused_in(field: str, when: When, asked: Question) -> Iterator[Fault]:
@@ -231,11 +233,18 @@ def _unused_in(field: str, when: When, asked: Question) -> Iterator[Fault]:
 
 def _unused(made: Definition) -> Iterator[Fault]:
     """Entries that would change nothing: their author expects them to."""
-    if made.trial is TrialKind.RATING:
-        for name, unused in _OF_CONSISTENCY.items():
-            if getattr(made, name) != unused:
-                what = Message("is not used in {kind} trials", kind=made.trial.value)
-                yield name, what, _REMOVE
+    is_of_two = made.trial is TrialKind.TWO_INTERVAL
+    has_levels = made.trial is not TrialKind.RATING and made.staircase is None
+    for name, unused, is_used in (
+        ("levels", (), has_levels),
+        ("repeats", 1, has_levels),
+        ("standard", None, is_of_two),
+        ("staircase", None, is_of_two),
+    ):
+        if getattr(made, name) != unused and not is_used:
+            kind = "staircase" if made.staircase and is_of_two else made.trial.value
+            what = Message("is not used in {kind} trials", kind=kind)
+            yield name, what, _REMOVE
     for name in () if made.lsl else ("needed_streams", "lab_recorder"):
         if getattr(made, name):
             yield name, Message("is only used with LSL"), Message("set 'lsl' to true")

@@ -19,8 +19,8 @@ from hapticplayer.study.definition import (
     refuse,
 )
 from hapticplayer.study.definition_reader import faults_of, to_be_worded
-from hapticplayer.study.order_list import ORDERS, read_orders
-from hapticplayer.study.orders import rows_of
+from hapticplayer.study.order_list import read_orders
+from hapticplayer.study.orders import ORDERS, rows_of
 from hapticplayer.study.sequence_folders import refuse_estimates
 from hapticplayer.study.study_folder import open_study
 

@@ -17,7 +17,6 @@ from hapticplayer.structures import convert
 from hapticplayer.study.definition import Condition, Definition, read_file, refuse
 from hapticplayer.study.orders import first_repeat
 
-ORDERS = "orders.csv"
 COLUMNS = ("order", "position", "sequence", "feedback")
 OPTIONAL = ("delay_s", "gain", "repeat")
 

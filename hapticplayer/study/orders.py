@@ -17,6 +17,8 @@ from hapticplayer.study.plan import number_of
 
 Row = tuple[int, ...]
 MAX_TRIES = 20_000
+ORDERS = "orders.csv"
+"""The file of orders by `OrderMethod.LIST`."""
 _SQUARE, _PARTICIPANT, _LABELS = 1, 2, 3  # independent streams of one seed
 
 

@@ -25,6 +25,8 @@ class PageKind(enum.StrEnum):
     QUESTIONS = "questions"
     DEMONSTRATION = "demonstration"
     READY = "ready"
+    INTERVAL = "interval"
+    """Before each of two clips of a trial."""
     PLAYING = "playing"
     PAUSED = "paused"
     PROBLEM = "problem"
@@ -117,8 +119,12 @@ class PageMaker:
         step: str,
         number: int,
         asking: QuestionPage | None = None,
+        interval: int = 1,
     ) -> Page:
-        """Return a page; `asking` has its questions, the first of the step by default."""
+        """Return a page; `asking` has its questions, the first of the step by default.
+
+        An INTERVAL page says the number of a clip.
+        """
         if kind is not PageKind.QUESTIONS:
             asking = None
         elif asking is None:
@@ -127,7 +133,9 @@ class PageMaker:
             kind=kind,
             step=step,
             key=asking.key if asking else "",
-            text=self._text_of(kind, asking),
+            text=f"{self.word('clip')} {interval}"
+            if kind is PageKind.INTERVAL
+            else self._text_of(kind, asking),
             questions=tuple(self.asked(asking)) if asking else (),
             replays=self._replays() if asking and asking.replays else (),
             one_by_one=asking is not None and asking.one_by_one,

@@ -75,7 +75,7 @@ class Plan(JsonObject, frozen=True, kw_only=True):
             raise ValueError("'created_utc' is not a time with its zone")
 
 
-def describe(value: Plan | Condition) -> dict[str, Any]:
+def describe(value: JsonObject) -> dict[str, Any]:
     described: dict[str, Any] = msgspec.to_builtins(value)
     return described
 

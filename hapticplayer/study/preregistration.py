@@ -19,8 +19,7 @@ from hapticplayer.study.definition import (
     OrderMethod,
     read_file,
 )
-from hapticplayer.study.order_list import ORDERS
-from hapticplayer.study.orders import random_order, rows_of
+from hapticplayer.study.orders import ORDERS, random_order, rows_of
 from hapticplayer.study.sequence_folders import clip_checksums
 from hapticplayer.study.session_folder import SessionState, StoredSession, sha256
 from hapticplayer.study.study_folder import Study

@@ -15,12 +15,23 @@ from msgspec import Meta, Struct
 from hapticplayer.clock import is_time
 from hapticplayer.errors import InputError, Message, StudyError
 from hapticplayer.structures import convert
-from hapticplayer.study.definition import Amount, Condition, Definition
+from hapticplayer.study.definition import (
+    Amount,
+    Condition,
+    Definition,
+    FeedbackLevel,
+)
 from hapticplayer.study.journal import JournalRecord, Records
 from hapticplayer.study.pages import AskedQuestion, PageMaker
 from hapticplayer.study.plan import Plan
 from hapticplayer.study.questions import kind_of
-from hapticplayer.study.steps import BEFORE, pages_before, pages_of, position_of
+from hapticplayer.study.steps import (
+    BEFORE,
+    INTERVAL,
+    pages_before,
+    pages_of,
+    position_of,
+)
 
 _Count = Annotated[int, Meta(ge=0, le=10**9)]
 _Number = Annotated[float, Meta(ge=-1e9, le=1e9)]
@@ -70,6 +81,7 @@ class _Trial(_OfTrial):
     is_valid: bool
     reasons: tuple[str, ...]
     playback: _Playback
+    presented: tuple[FeedbackLevel, ...] = ()
 
 
 class _Answers(Struct):
@@ -106,6 +118,7 @@ _KINDS: dict[str, type[Struct]] = {
     "checks": _Checks,
     "trial-begin": _OfTrial,
     "trial": _Trial,
+    INTERVAL: _Trial,
     "answers": _Answers,
     BEFORE: _TrialAnswers,
     "replay": _Replay,
@@ -178,6 +191,8 @@ class _RecordCheck:
             self._refuse_other_trial(found.step, found.condition)
         if isinstance(found, _Trial) and found.is_valid == bool(found.reasons):
             raise StudyError("is_valid and reasons contradict each other")
+        if isinstance(found, _Trial) and found.presented:
+            self._refuse_other_forces(found.presented)
         if isinstance(found, _Answers):
             return self._answers(record, found, notify)
         return record
@@ -199,6 +214,14 @@ class _RecordCheck:
             raise StudyError(
                 "{key} is not the condition of {step}", key=condition.key, step=step
             )
+
+    def _refuse_other_forces(self, presented: tuple[FeedbackLevel, ...]) -> None:
+        """Refuse forces that no trial of this study has."""
+        standard, known = self._definition.standard, self._definition.feedback_keys
+        if standard not in presented or len(presented) != 2:
+            raise StudyError("the standard is not one of two forces")
+        if not {one.feedback for one in presented} <= set(known):
+            raise StudyError("a force is not of this study")
 
     def _answers(
         self, record: JournalRecord, found: _Answers, notify: Callable[[str], None]

@@ -23,7 +23,9 @@ from hapticplayer.study.steps import (
     BEFORE,
     CONSENT,
     DEMONSTRATION,
+    INTERVAL,
     answered_pages,
+    answered_trials,
     attempts_of,
     pages_before,
     pages_of,
@@ -44,6 +46,7 @@ class StepMode(enum.Enum):
     """Activity within a step."""
 
     AT_PAGE = enum.auto()
+    BETWEEN = enum.auto()  # before each of two plays
     PLAYING = enum.auto()
     SHOWING = enum.auto()  # the demonstration or a replay
     ASKING = enum.auto()
@@ -51,10 +54,13 @@ class StepMode(enum.Enum):
     PROBLEM = enum.auto()
 
 
+_IN_TRIAL = (StepMode.BETWEEN, StepMode.PLAYING)
+_BETWEEN_S = 1.0  # a page that says which of two clips comes
 _NOTE_LENGTH = 100_000
 """Of one record; a longer note has several."""
 _AT_STEP = {CONSENT: PageKind.CONSENT, DEMONSTRATION: PageKind.DEMONSTRATION}
 _IN_MODE = {
+    StepMode.BETWEEN: PageKind.INTERVAL,
     StepMode.PLAYING: PageKind.PLAYING,
     StepMode.SHOWING: PageKind.PLAYING,
     StepMode.ASKING: PageKind.QUESTIONS,
@@ -114,6 +120,8 @@ class SessionRunner:
         self._mode, self._before_pause = StepMode.AT_PAGE, StepMode.AT_PAGE
         self._before_problem = StepMode.AT_PAGE
         self._pending: list[Callable[[], None]] = []
+        self._presented: tuple[Condition, ...] = ()
+        self._ended: list[PlaybackResult] = []  # plays of this attempt
         self._is_complete: bool | None = None
         self._number = 0
         self._shown_s = clock.now_s()
@@ -163,7 +171,8 @@ class SessionRunner:
 
     @property
     def page(self) -> Page:
-        made = self.maker.page(self._kind(), self.step, self._number, self._asking)
+        of = self.step, self._number, self._asking, len(self._ended) + 1
+        made = self.maker.page(self._kind(), *of)
         is_rest = self._rest and made.kind is PageKind.PAUSED
         return replace(made, text=self._rest) if is_rest else made
 
@@ -234,7 +243,7 @@ class SessionRunner:
             **of,
             page=page.key,
             values=check_answers(page.questions, values),
-            response_s=round(self._clock.now_s() - self._shown_s, 3),
+            response_s=round(self._page_s, 3),
         )
 
     def proceed(self) -> None:
@@ -250,7 +259,9 @@ class SessionRunner:
                 return
             self._markers.check()
             self._attempts[self.step] += 1
-            self._store("trial-begin", self._play, **self._step_name())
+            self._ended = []
+            begin = self._announce if len(self._presented) > 1 else self._play
+            self._store("trial-begin", begin, **self._step_name())
 
     def demonstrate(self) -> None:
         """Play the demonstration of the device."""
@@ -282,7 +293,7 @@ class SessionRunner:
     def _leave_clip(self, reason: str) -> None:
         if self.is_over or self._mode in (StepMode.PAUSED, StepMode.PROBLEM):
             return
-        if self._mode is StepMode.PLAYING:
+        if self._mode in _IN_TRIAL:
             self._finish_trial(lambda: self._pause(reason), reason)
         else:
             self._pause(reason)
@@ -308,7 +319,7 @@ class SessionRunner:
             return
         if not (step := self._trial_to_repeat()):
             return
-        if self._mode is StepMode.PLAYING:
+        if self._mode in _IN_TRIAL:
             self._interrupt("repeated")
 
         def again() -> None:
@@ -322,7 +333,7 @@ class SessionRunner:
         self._leave_clip(reason)
 
     def _trial_to_repeat(self) -> str:
-        if self._mode in (StepMode.PLAYING, StepMode.ASKING):
+        if self._mode in (*_IN_TRIAL, StepMode.ASKING):
             return self.step
         played = [s for s in self._steps if position_of(s) and self._attempts[s]]
         return self.step if self.step in played else (played[-1] if played else "")
@@ -333,7 +344,7 @@ class SessionRunner:
             return
         if not reason.strip():
             raise StudyError("skipping a step needs a reason")
-        if self._mode in (StepMode.PLAYING, StepMode.SHOWING):
+        if self._mode in (*_IN_TRIAL, StepMode.SHOWING):
             self._interrupt("skipped")
         self._store("skip", self._complete_step, step=self.step, reason=reason.strip())
 
@@ -376,14 +387,19 @@ class SessionRunner:
     def poll(self) -> None:
         """Check whether a clip has ended."""
         if self._mode is StepMode.PLAYING:
-            self._markers.first_frame(self.step, self.attempt, self.stage.first_frame_s)
-        is_playing = self._mode in (StepMode.PLAYING, StepMode.SHOWING)
+            self._markers.first_frame(self.step, self.stage.first_frame_s)
+        is_playing = self._mode in (*_IN_TRIAL, StepMode.SHOWING)
         if is_playing and self.stage.is_stopped:
             self.halt("force_stopped")
         elif self.watching is not None and (limit := self.watching.limit):
             self._rest_after(limit)
         elif self._mode is StepMode.PLAYING and self.stage.is_over():
-            self._finish_trial(self._ask)
+            if len(self._ended) + 1 < len(self._presented):
+                self._finish_trial(self._announce, kind=INTERVAL)
+            else:
+                self._finish_trial(self._ask)
+        elif self._mode is StepMode.BETWEEN and self._page_s >= _BETWEEN_S:
+            self._play()
         elif self._mode is StepMode.SHOWING and self.stage.is_over():
             self._enter()
 
@@ -434,7 +450,8 @@ class SessionRunner:
             self._end(is_complete=True, reason="", by="")
             return
         if self.condition is not None:
-            self.stage.prepare(self.condition)
+            self._presented = self._to_present(self.condition)
+            self.stage.prepare(self._presented[0])
         self._markers.mark(f"{self.step} page", self._clock.now_s())
         self._next_page()
 
@@ -443,6 +460,11 @@ class SessionRunner:
         if self.stage.is_stopped:
             self._pause("force_stopped")
         return self.stage.is_stopped
+
+    @property
+    def _page_s(self) -> float:
+        """How long the page has been shown."""
+        return self._clock.now_s() - self._shown_s
 
     def _next_page(self) -> None:
         self._number += 1
@@ -471,18 +493,45 @@ class SessionRunner:
         self.stage.begin()
         self._next_page()
 
-    def _finish_trial(self, then: Callable[[], None], *reasons: str) -> None:
-        found = self.watching.finish() if self.watching else ()
-        self.watching = None
-        played = self.last_trial = self.stage.played(*reasons, *found)
-        self._markers.first_frame(self.step, self.attempt, self.stage.first_frame_s)
+    def _to_present(self, condition: Condition) -> tuple[Condition, ...]:
+        """What the coming attempt plays."""
+        if self.definition.standard is None:
+            return (condition,)
+        from hapticplayer.study.intervals import presented  # few studies have it
+
+        trials = answered_trials(self.study.session(self.plan.code).records)
+        of = position_of(self.step) or 0, self.attempt + 1
+        return presented(self.definition, self.plan, *of, trials)
+
+    def _announce(self) -> None:
+        """Say which of two clips comes, and load it."""
+        self._mode = StepMode.BETWEEN
+        self.stage.prepare(self._presented[len(self._ended)])
+        self._next_page()
+
+    def _finish_trial(
+        self, then: Callable[[], None], *reasons: str, kind: str = "trial"
+    ) -> None:
+        """Store what was played; the last play of two has the reasons of both."""
+        played = PlaybackResult(False, reasons, {})
+        if self._mode is StepMode.PLAYING:
+            rated = self.watching.finish() if self.watching else ()
+            self.watching = None
+            played = self.stage.played(*reasons, *rated)
+            self._markers.first_frame(self.step, self.stage.first_frame_s)
+        self._ended.append(played)
+        ended = self._ended if kind == "trial" else [played]
+        found = tuple(dict.fromkeys(one for part in ended for one in part.reasons))
+        self.last_trial = PlaybackResult(not found, found, played.playback)
+        forces = [describe(one.level) for one in self._presented]
         self._store(
-            "trial",
+            kind,
             then,
             **self._step_name(),
-            is_valid=played.is_valid,
-            reasons=list(played.reasons),
+            is_valid=not found,
+            reasons=list(found),
             playback=dict(played.playback),
+            **({"presented": forces} if len(forces) > 1 else {}),
         )
 
     def _ask(self) -> None:

@@ -22,13 +22,13 @@ from hapticplayer.rendering.demonstration import demonstration
 from hapticplayer.storage import cache_root
 from hapticplayer.study.definition import refuse
 from hapticplayer.study.definition_reader import DEFINITION, to_be_worded
+from hapticplayer.study.player_stage import PlayerStage
 from hapticplayer.study.sequence_folders import (
     clip_checksums,
     refuse_estimates,
     sequence_folder,
 )
 from hapticplayer.study.session_folder import StoredSession
-from hapticplayer.study.stage import PlayerStage
 from hapticplayer.study.study_folder import Study
 
 NAME = "demonstration"

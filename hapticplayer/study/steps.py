@@ -9,7 +9,13 @@ from msgspec import Struct
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.structures import convert
-from hapticplayer.study.definition import Condition, Definition, QuestionPage, When
+from hapticplayer.study.definition import (
+    Condition,
+    Definition,
+    FeedbackLevel,
+    QuestionPage,
+    When,
+)
 from hapticplayer.study.journal import Records
 
 CONSENT, DEMONSTRATION = "consent", "demonstration"
@@ -32,6 +38,8 @@ class AnsweredTrial:
         playback: its figures.
         response_s: time from pages to answers, s; None if not measured.
         pages: number of those that were answered.
+        presented: the forces of a two-interval trial, in the order in which they were
+            played.
     """
 
     position: int
@@ -43,6 +51,7 @@ class AnsweredTrial:
     playback: Mapping[str, Any]
     response_s: float | None = None
     pages: int = 1
+    presented: tuple[FeedbackLevel, ...] = ()
 
 
 def trial_step(position: int) -> str:
@@ -55,8 +64,11 @@ def position_of(step: str) -> int | None:
     return int(found[1]) if found else None
 
 
+INTERVAL = "interval"
+"""The kind of a record: the first of two plays of a trial has ended."""
 MARKED = {
     "trial-begin": "begin",
+    INTERVAL: "interval",
     "trial": "end",
     "pause": "pause",
     "go-on": "go on",
@@ -184,6 +196,7 @@ class _Played(Struct):
     is_valid: bool
     reasons: tuple[str, ...]
     playback: dict[str, Any] = {}
+    presented: tuple[FeedbackLevel, ...] = ()
 
 
 class _Page(Struct):
@@ -225,4 +238,5 @@ def _trial(
         trial.reasons,
         trial.playback,
         answers.response_s,
+        presented=trial.presented,
     )

@@ -44,7 +44,7 @@ class Markers:
 
     def __init__(self, observer: Observer | None, order: Sequence[Condition]) -> None:
         self._observer, self._order = observer, order
-        self._begun = ("", 0)  # the trial whose first frame is told
+        self._shown_s: float | None = None  # of the first frame that was told
 
     def record(self, record: JournalRecord) -> None:
         """Tell a record of a kind that has a marker."""
@@ -53,10 +53,10 @@ class Markers:
             text = marker_text(step, MARKED[record.kind], self._order)
             self.mark(text, record.monotonic_s)
 
-    def first_frame(self, step: str, attempt: int, shown_s: float | None) -> None:
-        """Tell once when the first frame of a trial was shown, if it was."""
-        if shown_s is not None and self._begun != (step, attempt):
-            self._begun = (step, attempt)
+    def first_frame(self, step: str, shown_s: float | None) -> None:
+        """Tell once when the first frame of a clip was shown, if it was."""
+        if shown_s is not None and shown_s != self._shown_s:
+            self._shown_s = shown_s
             self.mark(marker_text(step, FIRST_FRAME, self._order), shown_s)
 
     def check(self) -> None:

@@ -20,6 +20,7 @@ from hapticplayer.study.definition import (
     QuestionPage,
     When,
 )
+from hapticplayer.study.intervals import played_as
 from hapticplayer.study.questions import AnswerColumn, kind_of, range_of
 from hapticplayer.study.scoring import PageScores, Scoring, formula_of
 from hapticplayer.study.session_folder import StoredSession
@@ -113,6 +114,9 @@ def trial_force_cells(force: TrialForce | None) -> tuple[Any, ...]:
     return (*cells, force.is_off)
 
 
+INTERVAL = DataColumn(
+    "interval", "which of two clips had this force, the other one the standard", "1|2"
+)
 _TRIAL_COLUMNS = (
     _WHO,
     DataColumn("position", "place in this participant's order, from 1"),
@@ -121,6 +125,7 @@ _TRIAL_COLUMNS = (
     DataColumn("delay_s", "delay of the force", "s"),
     DataColumn("gain", "of the force, 1 as recorded"),
     DataColumn("repeat", "number of the repetition of this condition"),
+    INTERVAL,
     _IS_VALID,
     DataColumn("reasons", "why the playback was not valid, separated by semicolons"),
     *_PLAYED,
@@ -278,14 +283,23 @@ def _ratings(data: StudyData) -> DataTable:
 def _judgements(answers: Answers) -> DataTable:
     columns = (
         _WHO,
-        _WHERE[0],
+        DataColumn("position", "place in this participant's order; 0: not played"),
+        *_WHERE,
         DataColumn("delay_s", "delay of the force", "s"),
         DataColumn("gain", "of the force, 1 as recorded"),
-        DataColumn("consistent", "felt as consistent with the video", "true|false"),
+        DataColumn(
+            "answer",
+            "to the question that is analysed; of two clips: whether this force was "
+            "chosen, and not the standard",
+            "true|false, or a number",
+        ),
         _IS_VALID,
     )
     rows = [
-        (j.participant, j.sequence, j.delay_s, j.gain, j.consistent, j.is_valid)
+        (
+            *(j.participant, j.position, j.sequence, j.feedback),
+            *(j.delay_s, j.gain, j.answer, j.is_valid),
+        )
         for j in answers.judgements
     ]
     return DataTable("judgements.csv", columns, rows)
@@ -404,15 +418,17 @@ def _trial_rows(
         forces, rated = data.trial_forces(session), rating_cells(data, session)
         for trial in answered_trials(session.records):
             condition, values = trial.condition, scoring.completed(trial.values)
+            force, interval = played_as(data.definition, trial)
             yield (
                 session.code,
                 trial.position,
                 trial.attempt,
                 condition.sequence,
                 condition.feedback,
-                condition.delay_s,
-                condition.gain,
+                force.delay_s,
+                force.gain,
                 condition.repeat,
+                interval,
                 trial.is_valid,
                 ";".join(trial.reasons),
                 *(trial.playback.get(column.name) for column in _PLAYED),

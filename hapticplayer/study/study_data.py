@@ -11,7 +11,7 @@ from hapticplayer.errors import Message, Progress
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.session_folder import StoredSession
-from hapticplayer.study.steps import FIRST_FRAME, MARKED, marker_text
+from hapticplayer.study.steps import FIRST_FRAME, INTERVAL, MARKED, marker_text
 from hapticplayer.study.ticks import tick_chunks
 from hapticplayer.study.trial_force import TrialForce
 from hapticplayer.study.trial_forces import TrialKey, measure_trial_forces
@@ -84,9 +84,11 @@ def markers_of(session: StoredSession) -> list[Marker]:
         if record.kind == "trial-begin":
             begun = len(found) + 1
         shown_s = record.content.get("playback", {}).get("first_frame_mono_s")
-        if record.kind == "trial" and shown_s is not None:
+        if record.kind in ("trial", INTERVAL) and shown_s is not None:
             text = marker_text(step, FIRST_FRAME, session.plan.order)
             found.insert(begun, Marker(shown_s, text))
         text = marker_text(step, MARKED[record.kind], session.plan.order)
         found.append(Marker(record.monotonic_s, text))
+        if record.kind == INTERVAL:  # behind it comes the second clip
+            begun = len(found)
     return found

@@ -23,8 +23,7 @@ from hapticplayer.study.definition import (
 )
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.journal import Journal, refuse_if_open
-from hapticplayer.study.order_list import ORDERS, read_orders
-from hapticplayer.study.orders import Assignment, Balance, assign, balance_of
+from hapticplayer.study.orders import ORDERS, Assignment, Balance, assign, balance_of
 from hapticplayer.study.plan import Plan, checked_code, is_code, new_code
 from hapticplayer.study.session_folder import (
     ANSWERS,
@@ -120,6 +119,8 @@ class Study:
         """Return the orders of `orders.csv`; empty for other methods."""
         if self.definition.order.method is not OrderMethod.LIST:
             return []
+        from hapticplayer.study.order_list import read_orders  # few studies have one
+
         return read_orders(self.folder / ORDERS, self.definition)
 
     def order_notices(self) -> list[str]:

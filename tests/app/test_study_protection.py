@@ -240,7 +240,7 @@ def test_no_page_of_a_session_tells_a_condition_or_a_file(
     wait_for(lambda: not session.participant.guard.isActive())
     person.page.next.click()
     person.wait_page(PageKind.THANKS)
-    unseen = {PageKind.PROBLEM, PageKind.STOPPED}
+    unseen = {PageKind.PROBLEM, PageKind.STOPPED, PageKind.INTERVAL}
     assert {kind for kind, _ in person.seen} == set(PageKind) - unseen
     question = session.runner.definition.pages[1].questions[0].text[language]
     assert question in person.seen[PageKind.QUESTIONS, "trial-01"]

@@ -33,7 +33,7 @@ from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.answers import read_answers, read_reviewed
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.journal import decode, encode
-from hapticplayer.study.order_list import ORDERS
+from hapticplayer.study.orders import ORDERS
 from hapticplayer.study.plan import parse_plan_file
 from hapticplayer.study.study_folder import open_study
 

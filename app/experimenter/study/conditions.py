@@ -20,12 +20,13 @@ from app.widgets.layout import captioned, column_of, paragraph, row_of
 from app.widgets.texts import local
 from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.model import ranges
+from hapticplayer.model.ranges import Range
 from hapticplayer.rendering import FEEDBACKS, ChosenFeedback, condition_named
 from hapticplayer.sequence.comparison import Curves
 from hapticplayer.sequence.library import read_entry
 from hapticplayer.study.condition_preview import condition_curves
 from hapticplayer.study.creation import described
-from hapticplayer.study.definition import StudyFeedback, TrialKind
+from hapticplayer.study.definition import MAX_CONDITIONS, StudyFeedback, TrialKind
 
 _POLL_MS, _LATER_MS = 40, 300
 _LEAST_PX = 200, 80
@@ -33,7 +34,7 @@ _NARROW = (QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
 
 class ConditionList(EntryList):
-    """Lists the feedback conditions; in a consistency study the levels, too.
+    """Lists the feedback conditions; of trials other than of ratings the levels, too.
 
     Args:
         document: of the study.
@@ -60,7 +61,8 @@ class ConditionList(EntryList):
 
     @property
     def _is_of_levels(self) -> bool:
-        return bool(self.document.value["trial"] == TrialKind.CONSISTENCY)
+        content = self.document.value
+        return content["trial"] != TrialKind.RATING and not content.get("staircase")
 
     def rows(self) -> list[Row]:
         content = self.document.value
@@ -69,15 +71,22 @@ class ConditionList(EntryList):
             Row(condition_words(entry), ("feedbacks", number), may_go=one_stays)
             for number, entry in enumerate(content["feedbacks"])
         ]
-        if not self._is_of_levels:
+        if content["trial"] == TrialKind.RATING:
             return rows
+        rows = [Row(self.tr("Conditions")), *rows]
+        if content.get("standard"):
+            rows += [
+                Row(self.tr("Each of them is compared with")),
+                Row(self.tr("The standard"), ("standard",), may_go=False),
+            ]
+        if content.get("staircase"):
+            return [*rows, Row(self.tr("Staircase"), ("staircase",), may_go=False)]
         return [
-            Row(self.tr("Conditions")),
             *rows,
             Row(self.tr("Each of them at these levels")),
             *(
                 Row(_level_words(level), ("levels", number))
-                for number, level in enumerate(content["levels"])
+                for number, level in enumerate(content.get("levels", []))
             ),
         ]
 
@@ -85,16 +94,16 @@ class ConditionList(EntryList):
 
     def shape(self, place: Place) -> object:
         keys = [one["key"] for one in self.document.value["sequences"]]
-        name = "" if place[:1] == ("levels",) else _chosen(self.document.at(place)).name
+        is_feedback = place[:1] == ("feedbacks",)
+        name = _chosen(self.document.at(place)).name if is_feedback else ""
         return place, tuple(keys), condition_named(name) is None
 
     def fill(self, place: Place) -> None:
-        if place[0] == "levels":
-            delay, gain = ranges.FORCE_DELAY_S, ranges.FORCE_GAIN
-            fields = self.fields
-            fields.decimal(self.tr("Delay of the force"), (*place, "delay_s"), delay)
-            fields.decimal(self.tr("Gain of the force"), (*place, "gain"), gain)
-            fields.number(self.tr("Repeats of each trial"), ("repeats",), 1, 100)
+        if place[0] in ("levels", "standard"):
+            self._fill_level(place)
+            return
+        if place[0] == "staircase":
+            self._fill_staircase(place)
             return
         if condition_named(_chosen(self.document.at(place)).name) is None:
             name = _chosen(self.document.at(place)).name
@@ -112,6 +121,32 @@ class ConditionList(EntryList):
                 theme.DIM,
             )
         )
+
+    def _fill_level(self, place: Place) -> None:
+        delay, gain = ranges.FORCE_DELAY_S, ranges.FORCE_GAIN
+        fields = self.fields
+        if place[0] == "standard":
+            names = [_name_of(one) for one in self.document.value["feedbacks"]]
+            keys = [(name, name) for name in names]
+            fields.choice(self.tr("Condition"), (*place, "feedback"), keys)
+        fields.decimal(self.tr("Delay of the force"), (*place, "delay_s"), delay)
+        fields.decimal(
+            self.tr("Gain of the force"), (*place, "gain"), gain, usually=1.0
+        )
+        if place[0] == "levels":
+            fields.number(self.tr("Repeats of each trial"), ("repeats",), 1, 100)
+
+    def _fill_staircase(self, place: Place) -> None:
+        fields, changed = self.fields, (*place, "changes")
+        kinds = [(self.tr("delay"), "delay_s"), (self.tr("gain"), "gain")]
+        fields.choice(self.tr("What changes"), changed, kinds)
+        correct = [(self.tr("2-down 1-up"), 2), (self.tr("3-down 1-up"), 3)]
+        fields.choice(self.tr("Rule"), (*place, "correct"), correct)
+        least = Range(0.0, ranges.FORCE_GAIN.largest)
+        fields.decimal(self.tr("First change"), (*place, "start"), least)
+        fields.listed(self.tr("Steps"), (*place, "steps"))
+        most = MAX_CONDITIONS
+        fields.number(self.tr("Trials of each"), (*place, "trials"), 2, most)
 
     def _add_form(self, place: Place) -> None:
         keys = [one["key"] for one in self.document.value["sequences"]]

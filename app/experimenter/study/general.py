@@ -104,7 +104,9 @@ class GeneralFields(Fields):
         """What the editor keeps as it is."""
         kinds = {
             TrialKind.RATING: self.tr("conditions are compared by answers"),
-            TrialKind.CONSISTENCY: self.tr("when force and video feel consistent"),
+            TrialKind.YES_NO: self.tr("yes or no to each level of the force"),
+            TrialKind.TWO_INTERVAL: self.tr("which of two clips (forced choice)"),
+            TrialKind.MAGNITUDE: self.tr("a number for each level of the force"),
         }
         text = self.tr(
             "Kept as they are: the template ({template}), what the trials are for "

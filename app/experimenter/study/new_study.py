@@ -59,7 +59,8 @@ class TemplatePicture(QWidget):
                 for one in made.chosen_feedbacks
             ]
         else:
-            self._columns = [(level.gain, level.delay_s) for level in made.levels]
+            levels = [(level.gain, level.delay_s) for level in made.levels]
+            self._columns = levels or [(1.0, 0.0), (1.0, 0.3)]  # of a staircase
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         with QPainter(self) as painter:

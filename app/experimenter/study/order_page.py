@@ -21,7 +21,7 @@ from hapticplayer import storage
 from hapticplayer.errors import HapticPlayerError, InputError, message_of
 from hapticplayer.structures import convert
 from hapticplayer.study.definition import Condition, Definition, OrderMethod, read_file
-from hapticplayer.study.order_list import ORDERS, read_orders
+from hapticplayer.study.order_list import read_orders
 from hapticplayer.study.order_preview import (
     EXAMPLE,
     NEXT,
@@ -30,6 +30,7 @@ from hapticplayer.study.order_preview import (
     given_orders,
     order_lines,
 )
+from hapticplayer.study.orders import ORDERS
 from hapticplayer.study.study_folder import Study
 
 _MOST_SEED = 2**31 - 1

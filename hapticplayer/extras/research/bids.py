@@ -17,11 +17,13 @@ from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.storage import json_text
 from hapticplayer.study.answers import simulated_mark
 from hapticplayer.study.definition import OF_TRIALS, Definition, When
+from hapticplayer.study.intervals import played_as
 from hapticplayer.study.scoring import Scoring
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials
 from hapticplayer.study.study_csv import (
     FELT,
+    INTERVAL,
     DataColumn,
     DataTable,
     GivenColumn,
@@ -46,6 +48,7 @@ _BEH = (
     DataColumn("feedback", "force condition"),
     DataColumn("delay_s", "delay of the force"),
     DataColumn("gain", "of the force, 1 as recorded"),
+    INTERVAL,
     DataColumn("is_valid", "whether the playback was valid"),
     *FELT,
     DataColumn("response_time", "from the questions to the answer"),
@@ -212,7 +215,9 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     scoring = Scoring(data.definition, *OF_TRIALS)
     rows = [
         (
-            *_beh_row(trial, forces.get((trial.position, trial.attempt))),
+            *_beh_row(
+                data.definition, trial, forces.get((trial.position, trial.attempt))
+            ),
             *(one.cell(scoring.completed(trial.values)) for one in given),
         )
         for trial in answered_trials(session.records)
@@ -252,15 +257,18 @@ def begins_of(runs: Sequence[tuple[float, dt.datetime]]) -> Iterator[dt.datetime
         yield at
 
 
-def _beh_row(trial: AnsweredTrial, force: TrialForce | None) -> tuple[Any, ...]:
-    condition = trial.condition
+def _beh_row(
+    definition: Definition, trial: AnsweredTrial, force: TrialForce | None
+) -> tuple[Any, ...]:
+    condition, (played, interval) = trial.condition, played_as(definition, trial)
     return (
         trial.position,
         trial.attempt,
         condition.sequence,
         condition.feedback,
-        condition.delay_s,
-        condition.gain,
+        played.delay_s,
+        played.gain,
+        interval,
         trial.is_valid,
         *trial_force_cells(force),
         trial.response_s,

@@ -71,6 +71,17 @@ SHAPIRO_1965 = (
     "Shapiro S. S., Wilk M. B. (1965). An analysis of variance test for normality "
     "(complete samples). Biometrika 52, 591-611."
 )
+STEVENS_1957 = (
+    "Stevens S. S. (1957). On the psychophysical law. Psychological Review 64, 153-181."
+)
+LEVITT_1971 = (
+    "Levitt H. (1971). Transformed up-down methods in psychoacoustics. Journal of the "
+    "Acoustical Society of America 49, 467-477."
+)
+WETHERILL_1965 = (
+    "Wetherill G. B., Levitt H. (1965). Sequential estimation of points on a psychometric "
+    "function. British Journal of Mathematical and Statistical Psychology 18, 1-10."
+)
 WICHMANN_2001 = (
     "Wichmann F. A., Hill N. J. (2001). The psychometric function: I. Fitting, sampling, "
     "and goodness of fit. Perception & Psychophysics 63, 1293-1313."

@@ -41,13 +41,14 @@ def analyse_study(
 def _analysed(
     answers: Answers, options: AnalysisOptions, progress: Progress
 ) -> ReportParts:
-    if not answers.judgements:
+    if answers.trial is TrialKind.RATING:
         return parts_of(analyse(answers, options, progress))
     kinds = {one.name: one for one in extension.rows("study_analyses", AnalysisKind)}
-    if (kind := kinds.get(TrialKind.CONSISTENCY)) is None:
+    if (kind := kinds.get(answers.trial)) is None:
         raise StudyError(
-            "the analysis of consistency trials is missing; install the extension "
-            "that has it, or export the answers"
+            "the analysis of {kind} trials is missing; install the extension that has "
+            "it, or export the answers",
+            kind=answers.trial.value,
         )
     return cast(Analyse, extension.load(kind.home))(answers, options, progress)
 

@@ -18,8 +18,8 @@ from hapticplayer.rendering import shifted_and_scaled
 from hapticplayer.study import session_setup
 from hapticplayer.study.analysis.conduct_report import COUNTED, SYNC
 from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
+from hapticplayer.study.player_stage import PlayerStage
 from hapticplayer.study.preflight import run_checks
-from hapticplayer.study.stage import PlayerStage
 
 SECONDS, RATE_HZ = 1.0, 25
 LOOSE = PlaybackLimits(1.0, 1e6, 1.0, 1e6)  # a busy machine is no fault here

@@ -9,14 +9,15 @@ from scipy import optimize, stats
 
 from hapticplayer import extension
 from hapticplayer.errors import InputError, StudyError
-from hapticplayer.extras.consistency.analysis import ALL, analyse_consistency
-from hapticplayer.extras.consistency.psychometric import CurveShape, fit
-from hapticplayer.extras.consistency.report import warnings_of
+from hapticplayer.extras.psychophysics.level_report import warnings_of
+from hapticplayer.extras.psychophysics.levels import ALL, analyse_levels
+from hapticplayer.extras.psychophysics.psychometric import CurveShape, fit
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.analysis import AnalysisOptions, Resampling
 from hapticplayer.study.analysis.report import analyse_study, write_report
 from hapticplayer.study.answers import Answers, Judgement, Participant, read_answers
 from hapticplayer.study.creation import create_study
+from hapticplayer.study.definition import TrialKind
 
 DELAYS_S = np.array([-0.4, -0.2, -0.1, 0.0, 0.1, 0.2, 0.4, 0.8])
 GAINS = np.array([0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0])
@@ -39,7 +40,9 @@ def judged(seed, p=truth, people=20, clips=("bike", "horse"), levels=DELAYS_S):
         for x in levels
     )
     persons = tuple(Participant(code, 30, None, None, None) for code in codes)
-    return Answers(persons, (), clips, ("realistic",), (), judgements=made)
+    return Answers(
+        persons, (), clips, ("realistic",), (), judgements=made, trial=TrialKind.YES_NO
+    )
 
 
 def quick(count=199):
@@ -81,7 +84,7 @@ def test_no_other_curve_is_more_likely_by_scipys_optimiser():
 def test_intervals_hold_the_true_criteria_as_often_as_they_say():
     held = []
     for seed in range(24):
-        found = analyse_consistency(judged(seed, clips=("bike",)), quick())
+        found = analyse_levels(judged(seed, clips=("bike",)), quick())
         curve = found.axes["delay_s"].curves[ALL]
         for name, true in (("lower", LOWER_S), ("upper", UPPER_S)):
             low, high = curve.intervals[name]
@@ -90,7 +93,7 @@ def test_intervals_hold_the_true_criteria_as_often_as_they_say():
 
 
 def test_criteria_are_recovered_for_shifts_and_gains():
-    found = analyse_consistency(judged(1, people=100), quick())
+    found = analyse_levels(judged(1, people=100), quick())
     curve = found.axes["delay_s"].curves[ALL]
     assert curve.values["lower"] == pytest.approx(LOWER_S, abs=0.02)
     assert curve.values["upper"] == pytest.approx(UPPER_S, abs=0.02)
@@ -102,15 +105,13 @@ def test_criteria_are_recovered_for_shifts_and_gains():
         2, lambda g: truth(np.log(g), np.log(0.5), np.log(2.5), 0.3), 100, levels=GAINS
     )
     gains = tuple(
-        Judgement(
-            j.participant, j.sequence, 0.0, j.delay_s, j.consistent, is_valid=True
-        )
+        Judgement(j.participant, j.sequence, 0.0, j.delay_s, j.answer, is_valid=True)
         for j in scaled.judgements
     )
     answers = Answers(
         scaled.participants, (), scaled.sequences, ("realistic",), (), judgements=gains
     )
-    values = analyse_consistency(answers, quick()).axes["gain"].curves[ALL].values
+    values = analyse_levels(answers, quick()).axes["gain"].curves[ALL].values
     assert values["lower"] == pytest.approx(0.5, rel=0.1)
     assert values["upper"] == pytest.approx(2.5, rel=0.1)
     assert values["window"] == pytest.approx(5.0, rel=0.15)
@@ -127,11 +128,9 @@ def test_shares_are_counted_and_what_is_missing_is_reported():
     holed = Answers(
         answers.participants, (), ("bike",), ("realistic",), (), judgements=holes
     )
-    found = analyse_consistency(holed, quick())
+    found = analyse_levels(holed, quick())
     at_zero = next(s for s in found.axes["delay_s"].shares[ALL] if s.delay_s == 0.0)
-    reported = [
-        j.consistent for j in holes if j.delay_s == 0.0 and j.consistent is not None
-    ]
+    reported = [j.answer for j in holes if j.delay_s == 0.0 and j.answer is not None]
     assert (at_zero.yes, at_zero.asked) == (sum(reported), 9)
     assert found.missing == 8
     assert any("8 of 80 answers are missing" in text for text in warnings_of(found))
@@ -146,7 +145,7 @@ def test_shares_are_counted_and_what_is_missing_is_reported():
     ],
 )
 def test_where_a_curve_does_not_hold_it_is_said(p, words):
-    found = analyse_consistency(judged(5, p), quick())
+    found = analyse_levels(judged(5, p), quick())
     assert any(words in text for text in warnings_of(found))
 
 
@@ -157,7 +156,13 @@ def test_a_study_without_a_judgement_is_refused():
         for j in answers.judgements
     )
     empty = Answers(
-        answers.participants, (), ("bike",), ("realistic",), (), judgements=nothing
+        answers.participants,
+        (),
+        ("bike",),
+        ("realistic",),
+        (),
+        judgements=nothing,
+        trial=TrialKind.YES_NO,
     )
     with pytest.raises(InputError, match="no judgement"):
         analyse_study(empty)
@@ -177,12 +182,12 @@ def test_a_study_of_the_template_gets_its_report(tmp_path, manual_clock):
     found = analyse_study(read_answers(study.folder), quick())
     write_report(found, tmp_path / "report", "Shifted rides")
     names = {path.name for path in (tmp_path / "report").iterdir()}
-    assert {"consistency-by-time-shift.svg", "report.pdf", "report.html"} < names
+    assert {"yes-by-time-shift.svg", "report.pdf", "report.html"} < names
     numbers = json.loads((tmp_path / "report" / "numbers.json").read_text("utf-8"))
     assert numbers == found.numbers
     with (tmp_path / "report" / "curves.csv").open(encoding="utf-8") as lines:
         rows = {(r["sequence"], r["value"]): r for r in csv.DictReader(lines)}
-    curve = numbers["consistency"]["delay_s"]["curves"]["all"]
+    curve = numbers["levels"]["delay_s"]["curves"]["all"]
     assert float(rows["all", "lower"]["estimate"]) == curve["lower"]
 
 
@@ -194,15 +199,21 @@ def test_a_curve_through_all_shares_fits():
         for place, person in enumerate(people)
         for gain, count in zip(gains, yes, strict=True)
     )
-    answers = Answers(people, (), ("bike",), ("realistic",), (), judgements=made)
-    curve = analyse_consistency(answers, quick(299)).axes["gain"].curves[ALL]
+    answers = Answers(
+        people,
+        (),
+        ("bike",),
+        ("realistic",),
+        (),
+        judgements=made,
+        trial=TrialKind.YES_NO,
+    )
+    curve = analyse_levels(answers, quick(299)).axes["gain"].curves[ALL]
     assert curve.deviance < 0.01  # drawn shares have about none either
     assert curve.p_fit > 0.9
 
 
 def test_judgements_without_their_extension_are_refused(monkeypatch):
     monkeypatch.setattr(extension, "rows", lambda _kind, _of: iter(()))
-    with pytest.raises(
-        StudyError, match="the analysis of consistency trials is missing"
-    ):
+    with pytest.raises(StudyError, match="the analysis of yes-no trials is missing"):
         analyse_study(judged(1, people=2))

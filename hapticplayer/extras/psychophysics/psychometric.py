@@ -3,7 +3,8 @@
 The perceived change x has normal noise and matches the video while it lies between a
 lower and an upper criterion: F(x) = Phi((x - lower) / spread) - Phi((x - upper)
 / spread) (Schneider and Bavelier 2003; Yarrow et al. 2011). If changes of only one
-sign were tested, one criterion remains (cumulative normal). A share `lapse` of the
+sign were tested, one criterion remains (cumulative normal); so it is in two-interval
+trials, where x is the difference of both plays. A share `lapse` of the
 answers is random: p = lapse / 2 + (1 - lapse) F; otherwise a few such answers would
 flatten the flanks (Wichmann and Hill 2001, I).
 
@@ -37,11 +38,14 @@ class CurveShape(StrEnum):
     """The lower one: only changes below none."""
     FALLING = "falling"
     """The upper one: only changes above none."""
+    FROM_HALF = "from half"
+    """None: of two plays that do not differ either is chosen by half, F(x) = Phi(|x| /
+    spread); the sign of the change is that which was asked for."""
 
     @property
     def least_levels(self) -> int:
         """Smallest number of levels that determines the curve."""
-        return 4 if self is CurveShape.WINDOW else 3
+        return {CurveShape.WINDOW: 4, CurveShape.FROM_HALF: 2}.get(self, 3)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +54,8 @@ class Fits:
 
     Attributes:
         shape: of all.
-        lower: criterion (N,), -inf for a FALLING curve.
-        upper: criterion (N,), inf for a RISING one.
+        lower: criterion (N,), -inf for a FALLING curve, 0 for one FROM_HALF.
+        upper: criterion (N,), inf for one that only rises.
         spread: standard deviation of the noise (N,), in units of the levels.
         lapse: share of answers at random (N,).
         likelihood: natural logarithm (N,), without the binomial coefficients.
@@ -68,6 +72,7 @@ class Fits:
 
     def shares(self, levels: Floats) -> Floats:
         """Return the probabilities (N, L) of yes at levels (L,)."""
+        levels = _as_asked(levels, self.shape)
         below = _z(levels, self.lower, self.spread)
         above = _z(levels, self.upper, self.spread)
         inside = special.ndtr(below) - special.ndtr(above)
@@ -126,13 +131,15 @@ class _Space:
     """
 
     def __init__(self, levels: Floats, shape: CurveShape) -> None:
-        self.levels, self.shape = levels, shape
+        self.levels = levels = _as_asked(levels, shape)
+        self.shape = shape
         known = levels[np.isfinite(levels)]
-        self._range, gap = float(np.ptp(known)), float(np.diff(known).min())
+        self._range, gap = float(np.ptp(known)), float(np.diff(np.sort(known)).min())
         self._low, self._high = known[0] - self._range, known[-1] + self._range
         self._narrowest = _NARROWEST * gap
         self._known = known
         self._has_window = shape is CurveShape.WINDOW
+        self._has_position = shape is not CurveShape.FROM_HALF
 
     def start(self, yes: Floats, asked: Floats) -> Floats:
         """Return the best point (N, K) of a grid for each row of counts."""
@@ -151,7 +158,7 @@ class _Space:
         at_lower, at_upper = _density(below), _density(above)
         inside = special.ndtr(below) - special.ndtr(above)
         keep, s = (1.0 - lapse)[:, None], spread[:, None]
-        parts = [keep * (at_upper - at_lower) / s]
+        parts = [keep * (at_upper - at_lower) / s] if self._has_position else []
         if self._has_window:
             parts.append(keep * at_upper * (upper - lower)[:, None] / s)
         parts.append(keep * (above * at_upper - below * at_lower))
@@ -162,7 +169,7 @@ class _Space:
     def inside(self, theta: Floats) -> Floats:
         """Return parameters (N, K) clipped to their bounds."""
         narrowest = np.log(self._narrowest)
-        bounds = [(self._low, self._high)]
+        bounds = [(self._low, self._high)] if self._has_position else []
         if self._has_window:
             bounds.append((narrowest, np.log(3.0 * self._range)))
         bounds += [(narrowest, np.log(2.0 * self._range)), (-15.0, 15.0)]
@@ -186,9 +193,11 @@ class _Space:
                 return position, infinite, spread, lapse
             case CurveShape.FALLING:
                 return -infinite, position, spread, lapse
+            case CurveShape.FROM_HALF:
+                return np.zeros_like(spread), infinite, spread, lapse
 
     def _grid(self) -> Floats:
-        known = self._known
+        known = np.sort(self._known)
         outside = self._range / 10.0
         edges = np.concatenate(
             [
@@ -199,7 +208,9 @@ class _Space:
         )
         spreads = np.log(self._range * np.array([0.03, 0.08, 0.2, 0.5]))
         rows: list[tuple[float, ...]]
-        if not self._has_window:
+        if not self._has_position:
+            rows = [(s, _LAPSE_START) for s in spreads]
+        elif not self._has_window:
             rows = [(e, s, _LAPSE_START) for e in edges for s in spreads]
         else:
             rows = [
@@ -209,6 +220,10 @@ class _Space:
                 for s in spreads
             ]
         return self.inside(np.array(rows))
+
+
+def _as_asked(levels: Floats, shape: CurveShape) -> Floats:
+    return np.abs(levels) if shape is CurveShape.FROM_HALF else levels
 
 
 def _z(levels: Floats, criterion: Floats, spread: Floats) -> Floats:

@@ -1,1 +1,0 @@
-"""Psychometric curves of the answers "consistent" to forces that were changed."""

@@ -1,0 +1,1 @@
+"""Psychometric curves, staircases and power laws of what is felt of a force."""
