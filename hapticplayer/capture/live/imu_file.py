@@ -70,6 +70,11 @@ class ImuFile:
             self._lost = problem
         return self._take([part for part in parts if len(part.stamp_s)])
 
+    @property
+    def stretches(self) -> int:
+        """How many clocks it has had so far."""
+        return len(self._stretches)
+
     def begin_anew(self) -> None:
         """Take what comes next by another clock."""
         self._origin_s = None

@@ -44,6 +44,9 @@ from hapticplayer.storage import (
 GRAVITY_AT_S, CHECK_AT_S = 3.0, 20.0
 """When what an IMU has sent is searched for gravity, and when it is compared with it."""
 
+MOST_RESTARTS, MOST_NOTICES = 1000, 1000
+"""Of an IMU, such as of two phones that send to one address; then it is given up."""
+
 _LOOK_S, _SYNC_S, _DESCRIBE_S, _JOIN_S = 0.1, 1.0, 5.0, 3.0
 _AGAIN_S = 0.5
 _CAMERA_STALL_S, _SOURCE_STALL_S, _SOUND_STALL_S = 1.0, 0.5, 1.0
@@ -174,7 +177,7 @@ class Recorder:
         thread.start()
 
     def _tell(self, what: Message) -> None:
-        if not self._stopping.is_set():
+        if not self._stopping.is_set() and len(self._notices) < MOST_NOTICES:
             at_s = self._elapsed_s()
             self._notices.append(Message("{at_s:.1f} s: {what}", at_s=at_s, what=what))
 
@@ -236,7 +239,7 @@ class Recorder:
     def _take_up_again(self, log: ImuFile, lost: SourceLost) -> None:
         """Wait for an IMU that was lost; what comes then has a clock of its own."""
         source = self._source
-        if not isinstance(source, OpenedSource):
+        if not isinstance(source, OpenedSource) or log.stretches > MOST_RESTARTS:
             raise lost
         if isinstance(lost, ClockRestarted):
             self._tell(

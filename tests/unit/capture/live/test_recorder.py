@@ -5,6 +5,7 @@ import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.live import recorder as module
 from hapticplayer.capture.live.recorder import Recorder
 from hapticplayer.capture.live.source import (
     OpenedSource,
@@ -114,32 +115,40 @@ def test_an_imu_that_comes_back_is_recorded_on_by_its_new_clock(make, board, tmp
         assert abs(recording.clock_error_s(part, take)) < 0.03
 
 
-def test_a_clock_that_begins_anew_is_told_and_goes_on(tmp_path):
-    """As that of a phone that was restarted, behind the same link."""
+class Restarted:
+    """A phone that is restarted after each second, behind the same link."""
 
-    class Restarted:
-        def __init__(self):
-            self.begun_s, self.last_s = clock.now_s(), 0.0
+    def __init__(self, clock, times):
+        self.clock, self.times = clock, times
+        self.begun_s, self.last_s = clock.now_s(), 0.0
 
-        def read(self, timeout_s):
-            clock.sleep_until(clock.now_s() + min(timeout_s, 0.01))
-            since_s = clock.now_s() - self.begun_s
-            at_s = np.arange(self.last_s + 0.005, since_s, 0.005)
-            if not len(at_s):
-                return Samples.of(())
-            self.last_s = at_s[-1]
-            own_s = np.where(at_s < 1.0, at_s + 500.0, at_s - 1.0)
-            values = recording.rolled(at_s + self.begun_s + WALL_S)
-            return Samples(np.full(len(at_s), clock.now_s()), own_s, values[:, :3], values[:, 3:])  # fmt: skip
+    def read(self, timeout_s):
+        self.clock.sleep_until(self.clock.now_s() + min(timeout_s, 0.01))
+        since_s = self.clock.now_s() - self.begun_s
+        at_s = np.arange(self.last_s + 0.005, since_s, 0.005)
+        if not len(at_s):
+            return Samples.of(())
+        self.last_s = at_s[-1]
+        own_s = at_s - 500.0 * np.minimum(self.times, np.floor(at_s))
+        values = recording.rolled(at_s + self.begun_s + WALL_S)
+        arrival_s = np.full(len(at_s), self.clock.now_s())
+        return Samples(arrival_s, own_s, values[:, :3], values[:, 3:])
 
-        def close(self):
-            """Nothing is held."""
+    def close(self):
+        """Nothing is held."""
 
+
+def started_with_phone(folder, times):
     clock = SystemClock()
     row = SourceRow("phone", Message("A phone"), "")
-    source = OpenedSource("phone:x", row, Restarted(), LogChoices())
-    recorder = Recorder(tmp_path / "take", None, None, source, clock)
+    source = OpenedSource("phone:x", row, Restarted(clock, times), LogChoices())
+    recorder = Recorder(folder, None, None, source, clock)
     recorder.start()
+    return recorder
+
+
+def test_a_clock_that_begins_anew_is_told_and_goes_on(tmp_path):
+    recorder = started_with_phone(tmp_path / "take", 1)
     wait_until(recorder, told("imu: its clock began anew"))
     before = recorder.snapshot().samples
     wait_until(recorder, lambda state: state.samples > before + 200)
@@ -147,6 +156,16 @@ def test_a_clock_that_begins_anew_is_told_and_goes_on(tmp_path):
     assert len(take.restarts) == 1
     imu = read_recording(folder).imu
     assert abs(recording.clock_error_s(imu.part(slice(-150, None)), take)) < 0.03
+
+
+def test_two_phones_that_send_at_once_are_given_up_and_readable(tmp_path, monkeypatch):
+    monkeypatch.setattr(module, "MOST_RESTARTS", 1)
+    recorder = started_with_phone(tmp_path / "take", 9)
+    wait_until(recorder, lambda state: state.is_over)
+    take = read_take(folder := recorder.stop())
+    assert len(take.restarts) == 1
+    assert "imu: phone:x: its clock began anew" in take.notices[-1]
+    assert len(read_recording(folder).imu) > 300
 
 
 def test_a_camera_that_is_unplugged_is_told_and_the_imu_goes_on(make):
