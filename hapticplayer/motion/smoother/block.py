@@ -28,7 +28,12 @@ from hapticplayer.motion.smoother.least_squares import (
     GYRO_SCALE,
     with_prior,
 )
-from hapticplayer.motion.smoother.mixture import MIN_WEIGHT, is_short, mixed
+from hapticplayer.motion.smoother.mixture import (
+    MIN_WEIGHT,
+    NOISY_GYRO_FACTOR,
+    is_short,
+    mixed,
+)
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.samples import InertialSamples
@@ -363,8 +368,8 @@ def _with_plain_share(block: Block, state: BlockState) -> BlockState:
     """Put the plain estimate under a mixture as far as the gyro is noisy."""
     if state.mixture is None or state.mixture.noisy_share < MIN_WEIGHT:
         return state
-    factor, share = state.mixture.noise_factor, state.mixture.noisy_share
-    return _floored(block, state, factor, share)
+    share = state.mixture.noisy_share
+    return _floored(block, state, NOISY_GYRO_FACTOR if share > 0.5 else 1.0, share)
 
 
 def _floored(
@@ -424,7 +429,6 @@ def _calibration(state: BlockState, p: SmootherParameters) -> Calibration:
     if state.mixture is not None:
         sigma = np.sqrt(state.mixture.calibration_variance[:BIAS_COLUMNS])
         time_constant_s = np.full_like(time_constant_s, state.mixture.time_constant_s)
-        noise_factor = state.mixture.noise_factor
     else:
         sigma = np.sqrt(np.diag(solution.covariance_times(unit)))
     if state.floor is not None:

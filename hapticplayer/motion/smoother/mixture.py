@@ -44,7 +44,6 @@ from hapticplayer.motion.smoother.least_squares import (
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import linearised
 from hapticplayer.motion.smoother.state import (
-    NOISY_GYRO_FACTOR,
     Block,
     BlockState,
     Mixture,
@@ -81,14 +80,14 @@ WALKING_BODY_SIGMAS_MPS = (0.0, 3.0)
 # What goes on wheels: speeds that last, on roads and on paths.
 WHEELED = tuple(
     MotionModel(VelocityModel(*across), VelocityModel(*upwards), 30.0)
-    for across in ((3.0, 2.0), (5.0, 20.0), (15.0, 20.0))
+    for across in ((5.0, 20.0), (15.0, 20.0))
     for upwards in ((0.3, 3.0), (1.0, 0.5))
 )
 # A calibrated sensor, a usual one, and one whose gyro has a wrong scale.
 SENSORS = (
     SensorGrade(0.006, 0.06, 0.0065),
     SensorGrade(0.05, 0.14, 0.0065),
-    SensorGrade(0.05, 0.14, 0.03),
+    SensorGrade(0.05, 0.14, 0.045),
 )
 # Change of the specific force over that of the rate, from window to window, m/rad/s:
 # mean and deviation of its logarithm for what is carried (recordings: 2 to 5, feet: 10
@@ -96,14 +95,18 @@ SENSORS = (
 # rate it is the gyro's noise.
 CARRIED_SHAKE, WHEELED_SHAKE = (math.log(5.0), 0.6), (math.log(22.0), 0.35)
 SHAKE_RATE_NOISE_RADPS = 0.003
-# Share of the evidence that counts between carried and wheeled.
-EVIDENCE_SHARE_OF_KIND = 0.02
+# Factor on the deviation of the noise of a gyro that is noisier than usual.
+NOISY_GYRO_FACTOR = 3.0
+# Share of the evidence that counts between carried and wheeled, and between motions on
+# wheels: a steady acceleration is a tilt to the smallest velocity that allows it.
+WHEELED_EVIDENCE_SHARE = 0.03
 # Parts that weigh less have no variance of their own.
 MIN_WEIGHT = 1e-3
-# Share of the squared way from the deviation that fits to the next.
-WIDENING_SHARE = 0.5
-# A vertical that moves so far is solved for again about where it went.
-MAX_MOVED_RAD = 0.1
+# Share of the variance that is told of what is carried: the noises are those of the least
+# error, not those that describe it best.
+CARRIED_VARIANCE_SHARE = 0.7
+# A vertical that moves so far is solved for again about where it went, so often at most.
+MAX_MOVED_RAD, MOST_AGAIN = 0.1, 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -129,21 +132,22 @@ def is_short(state: BlockState) -> bool:
 
 
 def mixed(block: Block, state: BlockState) -> BlockState:
-    """Return the mean over the models about a solution; once more where it moves far."""
+    """Return the mean over the models about a solution; again while it moves far."""
     found, moved_rad = _mixed_about(block, state)
-    if moved_rad < MAX_MOVED_RAD:
-        return found
-    start = reintegrate(block, found, state.known.bound_mps, is_fine=True)
-    columns = len(state.known.applied)
-    known = replace(state.known, applied=start.integration.applied[:columns])
-    again = replace(
-        found,
-        integration=start.integration,
-        known=known,
-        frames=nd.level_frames(start.vertical),
-        solution=replace(found.solution, tilt=np.zeros_like(found.solution.tilt)),
-    )
-    return _mixed_about(block, again)[0]
+    for _ in range(MOST_AGAIN):
+        if moved_rad < MAX_MOVED_RAD:
+            break
+        start = reintegrate(block, found, found.known.bound_mps, is_fine=True)
+        applied = start.integration.applied[: len(found.known.applied)]
+        again = replace(
+            found,
+            integration=start.integration,
+            known=replace(found.known, applied=applied),
+            frames=nd.level_frames(start.vertical),
+            solution=replace(found.solution, tilt=np.zeros_like(found.solution.tilt)),
+        )
+        found, moved_rad = _mixed_about(block, again)
+    return found
 
 
 def _mixed_about(block: Block, state: BlockState) -> tuple[BlockState, float]:
@@ -155,17 +159,17 @@ def _mixed_about(block: Block, state: BlockState) -> tuple[BlockState, float]:
     problem = linearised(nodes, vertical, frames, known, block.p)
     carried, wheeled = _carried(problem, 1.0), _wheeled(problem)
     on_wheels = _probability(
-        EVIDENCE_SHARE_OF_KIND * (_log_mean(wheeled) - _log_mean(carried))
+        WHEELED_EVIDENCE_SHARE * (_log_mean(wheeled) - _log_mean(carried))
         + shake_evidence(shaking(state.integration.windows))
     )
     noisy = _carried(problem, NOISY_GYRO_FACTOR)
     odds = _log_mean(noisy) - _log_mean(carried) - block.p.gyro_evidence
-    weight = np.concatenate(
-        [(1.0 - on_wheels) * _shares(carried), on_wheels * _shares(wheeled)]
-    )
+    shares = _shares(carried), _shares(wheeled, WHEELED_EVIDENCE_SHARE)
+    weight = np.concatenate([(1.0 - on_wheels) * shares[0], on_wheels * shares[1]])
+    told = np.repeat([CARRIED_VARIANCE_SHARE, 1.0], [len(carried), len(wheeled)])
     parts, wider = [*carried, *wheeled], [*_wider(carried), *wheeled]
     noisy_share = (1.0 - on_wheels) * _probability(odds)
-    mixture, solution = _mixture(parts, wider, weight, noisy_share, block.p)
+    mixture, solution = _mixture(parts, wider, weight, told, noisy_share, block.p)
     moved_rad = float(np.sqrt(rot.squared_norm(solution.tilt)).max())
     found = replace(
         state,
@@ -293,6 +297,7 @@ def _mixture(
     parts: list[Hypothesis],
     wider: list[Hypothesis],
     weight: Floats,
+    told: Floats,
     noisy_share: float,
     p: SmootherParameters,
 ) -> tuple[Mixture, Solution]:
@@ -301,7 +306,8 @@ def _mixture(
     columns = len(best.normal) - 1
     tilts = np.array([part.solution.tilt for part in wider])
     tilt = np.tensordot(weight, tilts, 1)
-    variance = weight @ rot.squared_norm((tilts - tilt).swapaxes(0, 1))
+    told = weight * told
+    variance = told @ rot.squared_norm((tilts - tilt).swapaxes(0, 1))
     calibrations = np.zeros((len(parts), columns))
     for row, part in zip(calibrations, wider, strict=True):
         row[: len(part.solution.calibration)] = part.solution.calibration
@@ -310,7 +316,7 @@ def _mixture(
     for one in np.flatnonzero(weight > MIN_WEIGHT).tolist():
         own, covariance = variances_of(parts[one])
         shift = rot.squared_norm(parts[one].solution.tilt - tilts[one])
-        variance += weight[one] * (own + WIDENING_SHARE * shift)
+        variance += told[one] * (own + shift)
         calibration_variance[: len(covariance)] += weight[one] * covariance
     velocity_mps = np.tensordot(weight, [w.solution.velocity_mps for w in wider], 1)
     levelling_mps = np.array([part.levelling_mps for part in wider])
@@ -338,18 +344,25 @@ def variances_of(part: Hypothesis) -> tuple[Floats, Floats]:
     return own, np.diagonal(covariance)
 
 
-def _shares(parts: list[Hypothesis]) -> Floats:
-    """Return the probabilities (n,) of parts that are equally likely beforehand."""
+def _shares(parts: list[Hypothesis], counted: float = 1.0) -> Floats:
+    """Return the probabilities (n,) of parts that are equally likely beforehand.
+
+    Args:
+        parts: motions, with each sensor.
+        counted: share of the evidence that counts between the motions.
+    """
     evidence = np.array([part.log_evidence for part in parts])
-    share = np.exp(evidence - evidence.max())
+    evidence = evidence.reshape(-1, len(SENSORS))
+    of_motion = np.logaddexp.reduce(evidence, axis=1, keepdims=True)
+    evidence -= (1.0 - counted) * of_motion
+    share = np.exp(evidence - evidence.max()).reshape(-1)
     return np.asarray(share / share.sum())
 
 
 def _log_mean(parts: list[Hypothesis]) -> float:
     """Return the logarithm of the mean probability of the data under some models."""
-    evidence = np.array([part.log_evidence for part in parts])
-    top = float(evidence.max())
-    return top + math.log(np.exp(evidence - top).mean())
+    evidence = [part.log_evidence for part in parts]
+    return float(np.logaddexp.reduce(evidence)) - math.log(len(parts))
 
 
 def _probability(log_odds: float) -> float:

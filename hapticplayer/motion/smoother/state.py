@@ -46,8 +46,6 @@ MIN_BLOCK_WINDOWS = 8
 # Windows of so few samples, or that turn further, need no first solution on means;
 # twice that turn costs 3 %.
 FEW_WINDOW_SAMPLES, MAX_COARSE_WINDOW_TURN_RAD = 2, 2.0
-# A gyro that is noisier than usual, in a short block.
-NOISY_GYRO_FACTOR = 3.0
 # Before the first solution.
 UNKNOWN_MOTION = Locomotion()
 
@@ -121,11 +119,6 @@ class Mixture:
     calibration_variance: Floats
     time_constant_s: float
     noisy_share: float
-
-    @property
-    def noise_factor(self) -> float:
-        """The gyro is most likely so many times noisier than usual."""
-        return NOISY_GYRO_FACTOR if self.noisy_share > 0.5 else 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
