@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from app.bridge.errors import IsOver
 from app.bridge.languages import translated
 from app.bridge.pump import Cadence
+from app.experimenter.spoken_number import SpokenNumber
 from app.experimenter.start_panel import StartPanel, reason_text
 from app.player.display import PlotArea
 from app.player.health_line import HealthLine
@@ -132,6 +133,7 @@ class SessionControl(QMainWindow):
         self.note.setAccessibleName(self.tr("New note"))
         self.note.setPlaceholderText(self.tr("Write a note; Enter saves it"))
         self.note.returnPressed.connect(self._keep_note)
+        self.spoken = SpokenNumber()
         self.buttons = self._make_buttons()
         self._stack = QStackedWidget()
         self._stack.addWidget(scrolling(column_of(start)))
@@ -201,6 +203,7 @@ class SessionControl(QMainWindow):
         column.setContentsMargins(18, 12, 18, 10)
         column.setSpacing(12)
         column.addLayout(above)
+        column.addWidget(self.spoken)
         column.addLayout(row)
         column.addWidget(self.notes, 1)
         column.addWidget(self.note)
@@ -239,6 +242,7 @@ class SessionControl(QMainWindow):
         if runner is None:
             return
         page = runner.page
+        self.spoken.follow(runner)
         self.where.setText(self._where_text(runner))
         self.played.setText(self._played_text(runner))
         is_paused = page.kind is PageKind.PAUSED

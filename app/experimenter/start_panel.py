@@ -35,12 +35,16 @@ def reason_text(reason: str) -> str:
     if kind == "output_fault":
         text = translate("SessionWords", "an output did not play ({0})")
         return text.format(more)
+    if kind == "limit":
+        text = translate("SessionWords", "{0} reached its limit")
+        return text.format(more)
     if kind == "sync":
         return {
             "video": translate("SessionWords", "force and video out of sync"),
             "sound": translate("SessionWords", "force and sound out of sync"),
         }.get(more, reason)
     return {
+        "ratings_incomplete": translate("SessionWords", "ratings could not be saved"),
         "paused": translate("SessionWords", "paused"),
         "repeated": translate("SessionWords", "to be repeated"),
         "skipped": translate("SessionWords", "skipped"),

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication, QKeySequence
@@ -54,6 +55,10 @@ from hapticplayer.study.streams import StudyStream, Wanted, open_stream
 from hapticplayer.study.study_folder import Study, begin_session, open_study
 from hapticplayer.study.ticks import next_record
 
+if TYPE_CHECKING:
+    from app.participant.rating_axes import RatingAxes
+    from hapticplayer.playback.chime import Chime
+
 PRIVATE = 0o077  # umask: the records of the device belong to the participant too
 WATCH_HZ, SLOW_HZ = 30.0, 2.0
 SOUND_CHECK_S = 4.0
@@ -77,6 +82,9 @@ class StudySession:
         self.study, self.study_sources, self.outputs = study, study_sources, outputs
         self.runner: SessionRunner | None = None
         self._clock, self._observer = clock, observer
+        self._audio = audio
+        self._axes: RatingAxes | None = None
+        self._chime: Chime | None = None
         self.surface = VideoSurface()
         self.player = Player(clock, SurfaceSink(self.surface), audio=audio)
         sessions, _ = study.sessions()
@@ -229,6 +237,7 @@ class StudySession:
             HapticPlayerError: why it cannot be; nothing is shown then.
         """
         checks = self.current_checks()
+        self._prepare_ratings()
         if code:
             session = self.study.session(code)
             check_unchanged(session, self.study_sources)
@@ -256,6 +265,23 @@ class StudySession:
             self._show_participant()
         self.participant.activateWindow()
         self.control.follow(self.runner, self.participant.refresh)
+
+    def _prepare_ratings(self) -> None:
+        """Open what moves ratings while a clip plays, and what calls for them."""
+        ratings = self.study.definition.while_watching
+        if not ratings or self._axes is not None:
+            return
+        from app.participant.rating_axes import RatingAxes
+
+        wanted = {name for one in ratings for name in one.by}
+        self._axes = RatingAxes(self.player, wanted)
+        self.participant.strip.axis = self._axes.share
+        if self._audio and any(one.every_s for one in ratings):
+            from hapticplayer.playback.chime import Chime
+
+            with contextlib.suppress(OSError):  # it is shown, too
+                self._chime = Chime(self._audio, self.start_panel.volume.value() / 100)
+                self.participant.strip.asked.connect(self._chime.play)
 
     def _on_opening(self, source: Source) -> None:
         self.surface.set_clip_size(source.clip.width, source.clip.height)
@@ -314,6 +340,9 @@ class StudySession:
         self._tell_force()  # those since the last call
         if self.runner is not None:
             self.runner.close()
+        for opened in (self._chime, self._axes):
+            if opened is not None:
+                opened.close()
         self.undisturbed.release()
         self.participant.close_for_good()
         self.control.close_for_good()

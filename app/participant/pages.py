@@ -1,5 +1,6 @@
 """The pages: a text with buttons, and questions."""
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -38,6 +39,7 @@ class TextPage(FittedPage):
     ) -> None:
         super().__init__()
         self._decides = decides
+        self._waits_s, self._last_text = 0, buttons[-1][1] if buttons else ""
         self.column.addStretch(1)
         if page.position:
             where = f"{page.position} / {page.count}"
@@ -64,6 +66,20 @@ class TextPage(FittedPage):
             self.setFocus(Qt.FocusReason.OtherFocusReason)
         elif self.buttons:
             list(self.buttons.values())[-1].setFocus(Qt.FocusReason.TabFocusReason)
+
+    def wait(self, seconds: float) -> None:
+        """Let the last button wait so long; it counts the seconds."""
+        if not self.buttons:
+            return
+        button = list(self.buttons.values())[-1]
+        left = math.ceil(seconds)
+        if left == self._waits_s:
+            return
+        self._waits_s = left
+        button.setEnabled(not left)
+        button.setText(f"{self._last_text} ({left})" if left else self._last_text)
+        if not left:
+            self.focus()
 
     def show_problem(self, text: str) -> None:
         """Say why a button did nothing."""

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from app.participant.fitted_page import style
 from app.participant.pages import QuestionsPage, TextPage, make_page
+from app.participant.rating_strip import RatingStrip
 from app.player.fullscreen import EscapeFilter
 from app.player.video_surface import VideoSurface
 from app.widgets.layout import column_of
@@ -52,7 +53,10 @@ class ParticipantWindow(QWidget):
         self._has_felt = False
         self._may_close = False
         self.pages = QStackedWidget()
-        self.pages.addWidget(surface)
+        self.strip, self._clip = RatingStrip(), QWidget()
+        column_of((surface, 1), self.strip, spacing=0, of=self._clip)
+        surface.wheeled.connect(lambda notches, _shift: self.strip.turn(notches))
+        self.pages.addWidget(self._clip)
         column_of(self.pages, of=self)
         self.guard = QTimer(self)
         self.guard.setSingleShot(True)
@@ -77,6 +81,8 @@ class ParticipantWindow(QWidget):
             return
         page = self._runner.page
         if page.number == self.shown_number:
+            if page.kind is PageKind.READY and isinstance(self.content, TextPage):
+                self.content.wait(self._runner.gap_s)
             return
         self._keep_draft()
         self.shown_number, self._kind = page.number, page.kind
@@ -92,12 +98,16 @@ class ParticipantWindow(QWidget):
 
     def _show_clip(self) -> None:
         self._drop_content()
-        self.pages.setCurrentWidget(self.surface)
+        self.pages.setCurrentWidget(self._clip)
         self.setCursor(Qt.CursorShape.BlankCursor)
         self.surface.setFocus()
+        runner = self._runner
+        if runner is not None and runner.watching is not None:
+            self.strip.begin(runner.watching, runner.plan.language)
 
     def show_page(self, page: Page) -> None:
         """Show a page in place of the one before."""
+        self.strip.end()
         self.unsetCursor()
         made = self._make(page)
         self._drop_content()
@@ -189,8 +199,12 @@ class ParticipantWindow(QWidget):
             self.halt("space")
         elif event.key() in _MEDIA_KEYS:
             event.accept()
-        else:
+        elif not self.strip.take_key(event, is_pressed=True):
             super().keyPressEvent(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if not self.strip.take_key(event, is_pressed=False):
+            super().keyReleaseEvent(event)
 
     def _on_application_state(self, state: Qt.ApplicationState) -> None:
         """Another program has come in front: nobody watches the clip any more."""
@@ -210,6 +224,7 @@ class ParticipantWindow(QWidget):
         """Close, whatever is shown."""
         self._may_close = True
         self._escape.remove()
+        self.strip.end()
         self.close()
 
     def changeEvent(self, event: QEvent) -> None:

@@ -529,6 +529,7 @@ class Definition(JsonObject, frozen=True):
         played_s = sum(clip_s[trial.sequence] for trial in trials)
         played_s *= 2 if self.trial is TrialKind.TWO_INTERVAL else 1
         all_s = played_s + asked * ANSWER_S + DEMONSTRATION_S
+        all_s += self.gap_s * (len(trials) - 1)
         return 5 * max(1, round(all_s / 300.0))
 
     def wording(self, question: Question, language: str) -> str:

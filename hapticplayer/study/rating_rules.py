@@ -60,6 +60,8 @@ def _faults_of(one: LiveRating) -> Iterator[Fault]:
         what = Message("must be a letter from a to z, enter, shift or control")
         yield "hold", what, _CORRECT
     yield from _mover_faults(one)
+    if one.kind is RatingKind.NUMBER and (one.least or 0) < 0:
+        yield "least", Message("must be at least {limit}", limit=0), _CORRECT
     if one.least is not None and one.most is not None:
         yield from _range_faults(one, one.least, one.most)
     if one.rest is not None and one.stop_at is None:

@@ -104,7 +104,7 @@ class SessionRunner:
         self.problem = ""
         self.last_trial: PlaybackResult | None = None
         self.watching: Watching | None = None  # while a clip is rated
-        self._rest = ""
+        self._rest, self._ended_s = "", float("-inf")  # of the last clip
         self._clock, self._conditions = clock, session.plan.order
         self._markers = Markers(observer, session.plan.order)
         self.minutes = self.definition.expected_min(stage.clip_s)
@@ -168,6 +168,12 @@ class SessionRunner:
     def attempt(self) -> int:
         """Number of the current or last attempt at the current trial."""
         return self._attempts.get(self.step, 0)
+
+    @property
+    def gap_s(self) -> float:
+        """Time until the next clip may begin."""
+        since_s = self._clock.now_s() - self._ended_s
+        return max(0.0, self.definition.gap_s - since_s)
 
     @property
     def page(self) -> Page:
@@ -255,7 +261,7 @@ class SessionRunner:
             self._pass_step()
         else:
             self._expect(PageKind.READY)
-            if self._is_held():
+            if self.gap_s or self._is_held():
                 return
             self._markers.check()
             self._attempts[self.step] += 1
@@ -516,7 +522,7 @@ class SessionRunner:
         played = PlaybackResult(False, reasons, {})
         if self._mode is StepMode.PLAYING:
             rated = self.watching.finish() if self.watching else ()
-            self.watching = None
+            self.watching, self._ended_s = None, self._clock.now_s()
             played = self.stage.played(*reasons, *rated)
             self._markers.first_frame(self.step, self.stage.first_frame_s)
         self._ended.append(played)

@@ -61,7 +61,7 @@ def test_the_participants_screen_shows_only_the_clip(session, wait_for):
     person = Person(session, wait_for)
     person.begin_trial()
     assert participant.cursor().shape() == Qt.CursorShape.BlankCursor
-    assert participant.pages.currentWidget() is session.surface
+    assert session.surface.isVisible()
     wait_for(lambda: session.surface.size() == theirs.geometry().size())
     wait_for(lambda: session.control.mirror.is_clip)
     assert session.control.mirror.screen() is mine

@@ -153,6 +153,7 @@ OWN = {
     ("hapticplayer/study/analysis/report.py", "read_bytes"): "written just before",
     ("hapticplayer/study/analysis/preregistered.py", "read_bytes"): "its own source",
     ("hapticplayer/linux.py", "os.open"): "a device, to hold it",
+    ("hapticplayer/devices/joystick.py", "os.open"): "a device",
     ("hapticplayer/devices/serial_line.py", "os.open"): "a serial port",
     ("hapticplayer/media/camera_modes.py", "os.open"): "a camera, to ask its driver",
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",
