@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hapticplayer.study.definition import QuestionKind, When
+from hapticplayer.study.definition import QuestionKind, RatingKind, When
 from hapticplayer.study.questions import kind_of
 
 _MORE = {
@@ -13,6 +13,11 @@ _MORE = {
     "choices": {"choices": ("sea", "air", "land")},
     "pair": {"least": -3, "most": 3, "labels": ((-3, "dull"), (3, "exciting"))},
     "text": {"most": 30, "required": False},
+}
+_RATED = {
+    "slider": {"least": -5, "most": 5, "by": ["mouse", "grip-x"]},
+    "number": {"least": 0, "most": 20, "every_s": 60.0, "stop_at": 15, "spoken": True},
+    "held-key": {"hold": "v"},
 }
 
 
@@ -41,7 +46,15 @@ def with_every_kind(content: dict) -> dict:
         }
         for when in When
     ]
-    return {**content, "pages": [*content["pages"], *pages]}
+    ratings = [
+        {"key": f"rate_{kind}", "kind": str(kind), "text": text(kind), **_RATED[kind]}
+        for kind in RatingKind
+    ]
+    slider, number, _ = ratings
+    slider["labels"] = [{"at": 0, "text": text("fits")}]
+    number["rest"] = text("Rest")
+    pages = [*content["pages"], *pages]
+    return {**content, "pages": pages, "while_watching": ratings, "gap_s": 1.0}
 
 
 def drawn(page, rng: np.random.Generator) -> dict:

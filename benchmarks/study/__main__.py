@@ -9,5 +9,6 @@ PLACES = {
     "analysis": "study.analysis",
     "ordinal": "study.ordinal",
     "thresholds": "study.thresholds",
+    "rating": "study.rating",
 }
 sys.exit(command("study", __doc__, PLACES))

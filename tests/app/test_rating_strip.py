@@ -63,7 +63,7 @@ def rated(application, tmp_path, manual_clock):
         watching.finish()
 
 
-def test_a_slider_follows_mouse_wheel_keys_and_axis_within_its_range(rated):
+def test_a_slider_follows_all_movers_within_its_range(rated):
     watching, window = rated({**SLIDER, "by": ["mouse", "wheel", "keys", "grip-x"]})
     strip = window.strip
     strip.beat()
@@ -82,7 +82,7 @@ def test_a_slider_follows_mouse_wheel_keys_and_axis_within_its_range(rated):
     assert watching.values["match"] == 50.0
 
 
-def test_the_grip_is_an_axis_over_three_centimetres_each_way():
+def test_the_grip_is_an_axis_of_three_centimetres_each_way():
     tick = {"position_m": (0.015, float("nan"), -0.03)}
     snapshot = SimpleNamespace(leading=SimpleNamespace(tick=tick))
     axes = RatingAxes(SimpleNamespace(snapshot=lambda: snapshot), {"grip-x"})

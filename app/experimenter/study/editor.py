@@ -27,6 +27,7 @@ from app.experimenter.study.lists import EntryList
 from app.experimenter.study.order_page import OrderPage
 from app.experimenter.study.page_texts import TextList
 from app.experimenter.study.questions import QuestionList
+from app.experimenter.study.ratings import RatingList
 from app.experimenter.study.sequences import SequenceList
 from app.experimenter.study.words import place_words
 from app.widgets import theme
@@ -77,6 +78,7 @@ class StudyEditor(QDialog):
         self.sequences = SequenceList(self.document, self.draft.study.folder, library)
         self.conditions = ConditionList(self.document, self.draft.study.folder)
         self.questions = QuestionList(self.document, self.draft.study.folder)
+        self.ratings = RatingList(self.document)
         self.texts = TextList(self.document, self.draft.study.folder)
         self.order = OrderPage(self.document, lambda: self.draft.study, self.keep)
         self.pages: list[
@@ -90,6 +92,7 @@ class StudyEditor(QDialog):
                 ("feedbacks", "levels", "repeats"),
             ),
             (self.tr("Questions"), self.questions, ("pages",)),
+            (self.tr("During clips"), self.ratings, ("while_watching",)),
             (self.tr("Texts"), self.texts, ("texts", "words")),
             (self.tr("Order"), self.order, ("order",)),
         ]

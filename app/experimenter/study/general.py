@@ -43,6 +43,8 @@ class GeneralFields(Fields):
             self.tr("LSL streams that each trial needs"),
             ("needed_streams",),
         )
+        text = self.tr("Least time between two clips")
+        self.decimal(text, ("gap_s",), Range(0.0, 3600.0, "s"))
         self._fill_checks()
         self._fill_limits()
         self.whole(paragraph(self.unchanged(), theme.DIM))

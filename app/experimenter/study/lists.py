@@ -6,10 +6,18 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QListWidget, QListWidgetItem, QSplitter, QWidget
+from PySide6.QtWidgets import (
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QSplitter,
+    QWidget,
+)
 
 from app.experimenter.study.document import Place, StudyDocument
 from app.experimenter.study.fields import Fields
+from app.experimenter.study.words import label_words
 from app.widgets.buttons import Button, text_button
 from app.widgets.layout import STRETCH, column_of, row_of
 
@@ -90,6 +98,56 @@ class EntryList(QWidget):
     @abstractmethod
     def fill(self, place: Place) -> None:
         """Make the fields of an entry."""
+
+    def label_row(self, at: Place, least: int, most: int) -> None:
+        """Add the label of a point: text in each language, and its point."""
+        label = label_words(self.document.at((*at, "at")) or 0)
+        text = translate("QuestionList", "Point")
+        point = self.fields.lone_number(text, (*at, "at"), least, most)
+        removal = translate("QuestionList", "Remove this label")
+        row = self.text_row(at, label, point, removal=removal)
+        self.fields.row(label, row)
+        told = self.fields.rows.labelForField(row)
+        assert isinstance(told, QLabel)
+
+        def show() -> None:
+            told.setText(label_words(self.document.at((*at, "at")) or 0))
+            for language in self.document.languages:
+                line = self.fields.by_place[(*at, "text", language)]
+                assert isinstance(line, QLineEdit)
+                name = self.fields.in_language(told.text(), language)
+                line.setAccessibleName(name)
+                line.setPlaceholderText(name)
+
+        self.fields.bind(at, row, show)
+
+    def text_row(
+        self,
+        at: Place,
+        label: str,
+        *after: QWidget,
+        removal: str,
+        may_go: bool = True,
+    ) -> QWidget:
+        """A text in each language, another field, and a button that removes them."""
+        lines = []
+        for language in self.document.languages:
+            own = self.fields.in_language(label, language)
+            line = self.fields.lone_line(own, (*at, "text", language))
+            line.setPlaceholderText(own)
+            lines.append((line, 2))
+        remove = text_button("\u2715", removal)
+        remove.setAccessibleName(removal)
+        remove.setEnabled(may_go)
+        text = translate("QuestionList", "removal")
+        remove.clicked.connect(lambda: self.document.remove(at, text))
+        row = QWidget()
+        row_of(*lines, *after, remove, spacing=6, of=row)
+        return row
+
+    def no_text(self) -> dict[str, str]:
+        """A text that is to be written, in each language."""
+        return dict.fromkeys(self.document.languages, "")
 
     # --- what a person does ------------------------------------------------------
 
@@ -176,3 +234,9 @@ class EntryList(QWidget):
 
 def _nothing() -> None:
     """Show no fields."""
+
+
+def free_key(word: str, taken: list[str]) -> str:
+    """A key that no other entry has."""
+    numbered = (f"{word}-{n}" for n in range(len(taken) + 1, 10_000))
+    return next(one for one in numbered if one not in taken)

@@ -4,21 +4,20 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QMenu, QWidget
+from PySide6.QtWidgets import QComboBox, QMenu, QWidget
 
 from app.bridge.languages import translated
 from app.experimenter.study.document import Place, StudyDocument
-from app.experimenter.study.lists import EntryList, Row
+from app.experimenter.study.lists import EntryList, Row, free_key
 from app.experimenter.study.preview import PagePreview, ShownPage
 from app.experimenter.study.score_fields import fill_score, new_score
 from app.experimenter.study.words import (
     group_names,
-    label_words,
     page_words,
     text_in,
 )
 from app.widgets.buttons import text_button
-from app.widgets.layout import paragraph, row_of
+from app.widgets.layout import paragraph
 from hapticplayer.study.definition import (
     MAX_ANSWER,
     OF_TRIALS,
@@ -239,33 +238,12 @@ class QuestionList(EntryList):
     def _fill_labels(self, place: Place) -> None:
         labels = self.document.at((*place, "labels")) or []
         for number in sorted(range(len(labels)), key=lambda n: labels[n].get("at", 0)):
-            self._fill_label((*place, "labels", number))
+            self.label_row((*place, "labels", number), *self._limits(place))
         if self.document.at((*place, "kind")) == QuestionKind.PAIR:
             return  # it has its two ends
         add = text_button(self.tr("Add a label"), "")
         add.clicked.connect(lambda: self._add_label(place))
         self.fields.row("", add)
-
-    def _fill_label(self, at: Place) -> None:
-        label = label_words(self.document.at((*at, "at")) or 0)
-        least, most = self._limits(at[:-2])
-        point = self.fields.lone_number(self.tr("Point"), (*at, "at"), least, most)
-        removal = self.tr("Remove this label")
-        row = self._text_row(at, label, point, removal=removal)
-        self.fields.row(label, row)
-        told = self.fields.rows.labelForField(row)
-        assert isinstance(told, QLabel)
-
-        def show() -> None:
-            told.setText(label_words(self.document.at((*at, "at")) or 0))
-            for language in self.document.languages:
-                line = self.fields.by_place[(*at, "text", language)]
-                assert isinstance(line, QLineEdit)
-                name = self.fields.in_language(told.text(), language)
-                line.setAccessibleName(name)
-                line.setPlaceholderText(name)
-
-        self.fields.bind(at, row, show)
 
     def _limits(self, place: Place) -> tuple[int, int]:
         asked = self.document.at(place)
@@ -281,7 +259,7 @@ class QuestionList(EntryList):
             least, most = asked.get("least", 1), asked.get("most", 5)
         points = [least, most, *range(least, min(most, least + MAX_POINTS))]
         point = next((one for one in points if one not in held), least)
-        made = {"at": point, "text": self._no_text()}
+        made = {"at": point, "text": self.no_text()}
         self.document.add(at, [made], self.tr("another label"))
         self.fields.focus((*at, len(held), "text", self.document.languages[0]))
 
@@ -308,30 +286,7 @@ class QuestionList(EntryList):
             value.setFixedWidth(_VALUE_PX)
             own = (key, value)
         remove = self.tr("Remove this answer")
-        return self._text_row(at, label, *own, removal=remove, may_go=count > 2)
-
-    def _text_row(
-        self,
-        at: Place,
-        label: str,
-        *after: QWidget,
-        removal: str,
-        may_go: bool = True,
-    ) -> QWidget:
-        """A text in each language, another field, and a button that removes them."""
-        lines = []
-        for language in self.document.languages:
-            own = self.fields.in_language(label, language)
-            line = self.fields.lone_line(own, (*at, "text", language))
-            line.setPlaceholderText(own)
-            lines.append((line, 2))
-        remove = text_button("\u2715", removal)
-        remove.setAccessibleName(removal)
-        remove.setEnabled(may_go)
-        remove.clicked.connect(lambda: self.document.remove(at, self.tr("removal")))
-        row = QWidget()
-        row_of(*lines, *after, remove, spacing=6, of=row)
-        return row
+        return self.text_row(at, label, *own, removal=remove, may_go=count > 2)
 
     def refresh(self) -> None:
         super().refresh()
@@ -348,7 +303,7 @@ class QuestionList(EntryList):
     def add_page(self, when: When, *_: object) -> None:
         """Add a page with a question, which is to be worded."""
         pages = self._pages
-        key = _free_key("page", [one["key"] for one in pages])
+        key = free_key("page", [one["key"] for one in pages])
         asked = self._new_question(QuestionKind.SCALE)
         page = {"key": key, "when": str(when), "questions": [asked]}
         self.selected = ("pages", len(pages), "questions", 0)
@@ -360,7 +315,7 @@ class QuestionList(EntryList):
         pages, selected = self._pages, self.selected
         when = pages[int(selected[1])]["when"] if selected else When.AFTER_CLIP
         taken = [one["key"] for one in pages]
-        key = name if name not in taken else _free_key(name, taken)
+        key = name if name not in taken else free_key(name, taken)
         page = page_of_scale(name, key, When(when), self.document.languages)
         self.selected = ("pages", len(pages))
         self.document.add(("pages",), [page], self.tr("another scale"))
@@ -370,7 +325,7 @@ class QuestionList(EntryList):
         if self.selected:
             at = self.selected[:2]
             taken = [s["key"] for page in self._pages for s in page.get("scores") or []]
-            made = new_score(_free_key("score", taken), self.document.at(at))
+            made = new_score(free_key("score", taken), self.document.at(at))
             number = len(self.document.at((*at, "scores")) or [])
             self.selected = (*at, "scores", number)
             self.document.add((*at, "scores"), [made], self.tr("another score"))
@@ -407,7 +362,7 @@ class QuestionList(EntryList):
 
     def _new_question(self, kind: QuestionKind) -> dict[str, Any]:
         known = [q["key"] for page in self._pages for q in page["questions"]]
-        asked = {"key": _free_key("question", known), "text": self._no_text()}
+        asked = {"key": free_key("question", known), "text": self.no_text()}
         return self._of_kind(asked, kind)
 
     def _of_kind(self, asked: dict[str, Any], kind: QuestionKind) -> dict[str, Any]:
@@ -422,7 +377,7 @@ class QuestionList(EntryList):
             made["labels"] = self._labels_of(kind)
         if "choices" in uses and not made.get("choices"):
             keys = ("answer-1", "answer-2")
-            made["choices"] = [{"key": key, "text": self._no_text()} for key in keys]
+            made["choices"] = [{"key": key, "text": self.no_text()} for key in keys]
         return made
 
     def _labels_of(self, kind: QuestionKind) -> list[dict[str, Any]]:
@@ -433,21 +388,13 @@ class QuestionList(EntryList):
             for asked in page["questions"]
             if asked["kind"] == kind and len(asked.get("labels") or []) > 1
         ]
-        texts = found[-1] if found else [self._no_text(), self._no_text()]
+        texts = found[-1] if found else [self.no_text(), self.no_text()]
         ends = zip(_ENDS[kind], texts, strict=True)
         return [{"at": at, "text": dict(text)} for at, text in ends]
 
     def _add_choice(self, place: Place) -> None:
         at = (*place, "choices")
         known = [one["key"] for one in self.document.at(at) or []]
-        made = {"key": _free_key("answer", known), "text": self._no_text()}
+        made = {"key": free_key("answer", known), "text": self.no_text()}
         self.document.add(at, [made], self.tr("another answer"))
         self.fields.focus((*at, len(known), "text", self.document.languages[0]))
-
-    def _no_text(self) -> dict[str, str]:
-        return dict.fromkeys(self.document.languages, "")
-
-
-def _free_key(word: str, taken: list[str]) -> str:
-    numbered = (f"{word}-{n}" for n in range(len(taken) + 1, 10_000))
-    return next(one for one in numbered if one not in taken)

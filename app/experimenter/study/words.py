@@ -137,6 +137,8 @@ def _room(first: str) -> str:
         "texts": translate("StudyWords", "Texts"),
         "words": translate("StudyWords", "Buttons and messages"),
         "pages": translate("StudyWords", "Questions"),
+        "while_watching": translate("StudyWords", "During clips"),
+        "gap_s": translate("StudyWords", "Least time between two clips"),
         "limits": translate("StudyWords", "A trial is marked as invalid above"),
         "title": translate("StudyWords", "Title"),
         "languages": translate("StudyWords", "Languages"),
@@ -185,5 +187,10 @@ def _part_words(first: str, part: str | int) -> str:
         "scores": translate("StudyWords", "Scores"),
         "of": translate("StudyWords", "Questions of a score"),
         "value": translate("StudyWords", "Counts as"),
+        "by": translate("StudyWords", "Moved by"),
+        "hold": translate("StudyWords", "Key"),
+        "every_s": translate("StudyWords", "Asked for every"),
+        "stop_at": translate("StudyWords", "Ends clip and force from"),
+        "rest": translate("StudyWords", "Text of the break after that"),
     }
     return known.get(part, part)

@@ -13,6 +13,11 @@ from typing import Any
 import numpy as np
 
 from hapticplayer import __version__, storage
+from hapticplayer.extras.research.bids_ratings import (
+    RECORDING,
+    physio_tables,
+    write_physio,
+)
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.storage import json_text
 from hapticplayer.study.answers import simulated_mark
@@ -67,6 +72,8 @@ _KINDS = (
 _TABLES = {
     "participants.tsv": "a row for each participant",
     "sub-*/beh/*_beh.tsv": "answers of each trial",
+    "sub-*/beh/*_physio.tsv.gz": "what was rated while clips played, 50 rows a second from "
+    "the first clip to the last; StartTime is 0, and the scans table says when each begins",
     "sub-*/motion/*_motion.tsv": "the haptic device in the participant's hand at "
     "1 kHz, in the frame of the device: x right, y up, z towards the participant; "
     "force_x to force_z is the force that was sent (type MISC, BIDS has no type for "
@@ -225,6 +232,8 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     table = DataTable(f"{name}_task-{TASK}_beh.tsv", columns, rows)
     _table(behaviour / table.name, table)
     scans: dict[str, tuple[float, dt.datetime]] = {}
+    if data.definition.while_watching:
+        scans |= _physio(session, data, behaviour)
     for number, path in enumerate(tick_files(session), 1):
         base = f"{name}_task-{TASK}_tracksys-{SYSTEM}_run-{number}"
         span_s = _motion(session, path, folder / "motion" / base, data)
@@ -233,12 +242,26 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
             begun = span_s[0], _utc(session, span_s[0])
             scans[f"motion/{base}_motion.tsv"] = begun
     if scans:
+        scans = dict(sorted(scans.items(), key=lambda one: one[1][1]))
         begins = begins_of(list(scans.values()))
         rows = [
             (table, at.strftime("%Y-%m-%dT%H:%M:%S.%fZ"))
             for table, at in zip(scans, begins, strict=True)
         ]
         _rows(folder / f"{name}_scans.tsv", ("filename", "acq_time"), rows)
+
+
+def _physio(
+    session: StoredSession, data: StudyData, folder: Path
+) -> dict[str, tuple[float, dt.datetime]]:
+    """Write what was rated while clips played; when each table begins, by its name."""
+    scans = {}
+    for run, made in enumerate(physio_tables(session, data.ratings(session)), 1):
+        name = f"sub-{session.code}_task-{TASK}_run-{run}_recording-{RECORDING}"
+        write_physio(folder / name, made)
+        begun = made.begin_s, _utc(session, made.begin_s)
+        scans[f"beh/{name}_physio.tsv.gz"] = begun
+    return scans
 
 
 def begins_of(runs: Sequence[tuple[float, dt.datetime]]) -> Iterator[dt.datetime]:
