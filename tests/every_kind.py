@@ -54,6 +54,8 @@ def with_every_kind(content: dict) -> dict:
     slider["labels"] = [{"at": 0, "text": text("fits")}]
     number["rest"] = text("Rest")
     pages = [*content["pages"], *pages]
+    if content.get("standard"):  # two clips in a trial are not rated meanwhile
+        ratings = []
     return {**content, "pages": pages, "while_watching": ratings, "gap_s": 1.0}
 
 

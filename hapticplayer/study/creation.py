@@ -90,8 +90,16 @@ STUDY_TEMPLATES = (
         "sickness",
         Message("Motion sickness and vection"),
         Message(
-            "Susceptibility (MSSQ-short) and symptoms (SSQ) before, sickness (FMS) and "
-            "vection after each clip, symptoms again at the end."
+            "Susceptibility (MSSQ-short) and symptoms (SSQ) before and after; during each "
+            "clip sickness (FMS) each minute, which can end it, and vection by a held key."
+        ),
+    ),
+    StudyTemplate(
+        "incongruence",
+        Message("Motion incongruence"),
+        Message(
+            "During each clip a slider says how badly force and video fit; the recorded "
+            "force beside a weaker and a late one and none."
         ),
     ),
 )

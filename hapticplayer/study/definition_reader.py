@@ -197,7 +197,7 @@ def _question_faults(made: Definition) -> Iterator[Fault]:
     if made.while_watching:
         from hapticplayer.study import rating_rules  # few studies have them
 
-        yield from rating_rules.faults(made.while_watching)
+        yield from rating_rules.faults(made)
 
 
 def _faults_of_scores(made: Definition) -> Iterator[Fault]:

@@ -1,11 +1,11 @@
 """What may be declared of ratings while a clip plays: entries, limits, what moves them."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from hapticplayer.errors import Message
 from hapticplayer.structures import missing
-from hapticplayer.study.definition import LiveRating, RatingKind
+from hapticplayer.study.definition import Definition, LiveRating, RatingKind
 from hapticplayer.study.questions import Fault
 
 MOVERS = ("mouse", "wheel", "keys")
@@ -30,8 +30,12 @@ _NEEDS = {
 _CORRECT = Message("correct it")
 
 
-def faults(ratings: Sequence[LiveRating]) -> Iterator[Fault]:
+def faults(made: Definition) -> Iterator[Fault]:
     """What is wrong with the ratings of a study."""
+    ratings = made.while_watching
+    if made.standard is not None:
+        what = Message("is not used in {kind} trials", kind=made.trial.value)
+        yield "while_watching", what, Message("remove it")
     for number, one in enumerate(ratings):
         for name, what, remedy in _faults_of(one):
             yield f"while_watching[{number}].{name}", what, remedy

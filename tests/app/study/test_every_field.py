@@ -26,8 +26,8 @@ KEPT = {("schema",), ("version",), ("id",), ("template",), ("trial",)}
 UNUSED = {
     "qoe2012": {"levels", "repeats", "standard", "staircase"},
     "consistency": {"standard", "staircase"},
-    "two-interval": {"staircase"},
-    "staircase": {"levels", "repeats"},
+    "two-interval": {"staircase", "while_watching"},
+    "staircase": {"levels", "repeats", "while_watching"},
 }
 """Of a study of the template."""
 SMALL_PX = 800, 500  # 1600 x 1000 at 200 %

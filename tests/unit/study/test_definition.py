@@ -74,6 +74,8 @@ def test_every_template_is_whole_in_every_language(tmp_path, name):
     texts += [page.text for page in pages if page.text]
     asked = [question for page in pages for question in page.questions]
     texts += [q.text for q in asked] + [la.text for q in asked for la in q.labels]
+    rated = study.while_watching
+    texts += [one.text for one in rated] + [one.rest for one in rated if one.rest]
     assert all(len({text[key] for key in study.languages}) == 3 for text in texts)
 
 

@@ -1,10 +1,12 @@
 """Ratings while a clip plays, on a virtual clock: rows, limits, files that are damaged."""
 
+import json
+
 import numpy as np
 import pytest
 
 from hapticplayer.errors import StudyError
-from hapticplayer.study.creation import change_definition
+from hapticplayer.study.creation import change_definition, new_definition
 from hapticplayer.study.definition import RatingKind
 from hapticplayer.study.live_ratings import FIGURES, read_ratings
 from hapticplayer.study.pages import PageKind
@@ -210,6 +212,12 @@ def test_two_ratings_do_not_share_what_moves_them(template):
     other = {**SLIDER, "key": "other", "by": ["keys", "wheel"]}
     with pytest.raises(StudyError, match="'wheel' is used by another rating"):
         parse({**template, "while_watching": [SLIDER, other]})
+
+
+def test_two_clips_in_one_trial_are_not_rated_meanwhile():
+    made = {**json.loads(new_definition("two-interval")), "while_watching": [VECTION]}
+    with pytest.raises(StudyError, match="while_watching: is not used in"):
+        parse(made)
 
 
 def test_every_kind_of_rating_has_figures():
