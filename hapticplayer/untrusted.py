@@ -252,7 +252,6 @@ class HeldFile:
         self.size_bytes = self._state.size_bytes
 
     def __enter__(self) -> Self:
-        """Return itself."""
         return self
 
     def __exit__(
@@ -261,7 +260,6 @@ class HeldFile:
         _problem: BaseException | None,
         _trace: TracebackType | None,
     ) -> None:
-        """Close it."""
         self.reader.close()
 
     def refuse_changed(self) -> None:

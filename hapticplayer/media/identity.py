@@ -154,7 +154,6 @@ class Counter:
 
     @property
     def streams(self) -> list[Stream]:
-        """What is to be read."""
         return [self.video, *([self._sound] if self._sound else [])]
 
     @property

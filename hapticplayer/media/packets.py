@@ -134,7 +134,6 @@ class Continuity:
             self._unread.note(packet, packet.pts)
 
     def receive(self, frame: VideoFrame) -> None:
-        """Note a frame."""
         pts, last = frame.pts, self._last
         if pts is None or not self._is_ordered:
             return

@@ -30,7 +30,6 @@ class Range(NamedTuple):
         return value if self.least <= value <= self.largest else None
 
     def parse(self, name: str, text: str) -> float:
-        """Return the number in a text."""
         value = self.find(text)
         if value is not None:
             return value

@@ -194,7 +194,6 @@ class SyncMeter:
         return _sync_stats(np.array(self._recent_ms))
 
     def total(self) -> SyncStats | None:
-        """Return all events."""
         total = self._total_ms
         if not total.count:
             return None

@@ -59,7 +59,6 @@ class SoundProcess:
         return self._process.pid
 
     def poll(self) -> OutputState:
-        """Return the state now."""
         while (message := self._line.receive()) is not None:
             if message.word is MessageKind.READY:
                 self.name, self.problem = message.text, ""

@@ -92,7 +92,6 @@ class VideoCheck:
         self._is_accepted = True
 
     def wait(self) -> Verdict:
-        """Return the verdict once it is there."""
         if self._thread.is_alive() and not self._is_accepted:
             self._thread.join()
         return self.verdict

@@ -138,7 +138,6 @@ class FeedbackCondition:
         return not (self.is_stored or self.is_derived)
 
     def parameter(self, name: str) -> Parameter:
-        """Return the parameter of a name."""
         for one in self.parameters:
             if one.name == name:
                 return one

@@ -161,7 +161,6 @@ class _Bar:
         self._done = 0.0
 
     def following(self) -> Progress:
-        """Return the progress of following frames."""
         begin = self._done
 
         def report(share: float, step: str) -> None:

@@ -121,7 +121,6 @@ class Description(Struct, frozen=True, omit_defaults=True):
 
 
 def checked_description(content: dict[str, Any], where: str) -> Description:
-    """A description as a structure."""
     check_schema(content, (SCHEMA, VERSION), where, _OTHER, SequenceError)
     return convert(content, Description, where, SequenceError, IMPORT_AGAIN)
 

@@ -69,7 +69,6 @@ def written(effects: EffectList) -> dict[str, Any]:
 
 
 def described_effect(effect: Effect) -> dict[str, Any]:
-    """Return one entry."""
     usual = to_builtins(Effect(effect.kind, effect.start_s, effect.end_s))
     return {
         name: value

@@ -125,7 +125,6 @@ class Rendering:
             self._pieces = SolvedPieces(washout)
 
     def track(self, effects: EffectList = NO_EFFECTS) -> ForceTrack:
-        """Return the force track under a list of effects."""
         track = self._rendered(effects)
         track = applied_to_force(track, effects, self._mapping.force_limit_n)
         if not effects.is_idle:
@@ -155,7 +154,6 @@ def preset_of(track: ForceTrack) -> str:
 
 
 def washout_of(preset: Preset, force_limit_n: float) -> Washout:
-    """Return the washout of a preset for a Falcon."""
     mass, viscous, _dry_n = mechanism_at_grip(Mechanism())
     hands = []
     for hand in preset.hands:

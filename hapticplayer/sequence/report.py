@@ -119,7 +119,6 @@ def worst(findings: list[Finding]) -> Mark:
 
 
 def marked(bound: str, value: float, *, is_low_bad: bool = False) -> Mark:
-    """Return the mark of a figure."""
     good, doubtful = _BOUNDS[bound]
     sign = -1.0 if is_low_bad else 1.0
     if sign * value <= sign * good:
@@ -266,7 +265,6 @@ def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:
 def notes_on_sequence(
     recording: Recording, track: MotionTrack, clip: ClipInfo
 ) -> list[str]:
-    """Return the notes on clip and motion together."""
     notes: list[str] = []
     is_placed = "synchronisation" in recording.provenance
     if recording.clock_map.confidence == 0.0 and not is_placed:
@@ -292,7 +290,6 @@ def notes_on_sequence(
 
 
 def notes_on_force(rendered: TrackEntry) -> list[str]:
-    """Return the notes on the rendered force."""
     if not rendered.saturated_share:
         return []
     percent = 100.0 * rendered.saturated_share

@@ -329,7 +329,6 @@ def mapping_of(description: Description) -> Mapping:
 
 
 def describe_mapping(mapping: Mapping) -> MappingEntry:
-    """The description of a mapping."""
     return MappingEntry(
         mapping.axes.tolist(),
         mapping.gain_n_per_mps2,

@@ -415,7 +415,6 @@ def stored_skews() -> dict[str, float]:
 
 
 def store_skew(camera: str, late_s: float) -> None:
-    """Store the skew of a camera."""
     home = storage.config_home()
     storage.make_folder(home)
     with storage.locked(home):

@@ -136,7 +136,6 @@ def write_folder(
 
 
 def _copy_clip(clip: Path, target: Path, progress: Progress) -> str:
-    """Copy the clip and return its checksum."""
     with HeldFile(clip, MediaError) as source:
         free = shutil.disk_usage(target.parent).free
         if free < source.size_bytes:

@@ -58,7 +58,6 @@ def to_be_worded(made: Definition) -> Iterator[str]:
 
 
 def faults_of(made: Definition) -> Iterator[Fault]:
-    """The contradictions in a definition."""
     yield from _text_faults(made)
     yield from _key_faults(made)
     yield from _feedback_faults(made)

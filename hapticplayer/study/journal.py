@@ -317,7 +317,6 @@ def write_whole(descriptor: int, line: bytes) -> None:
 
 
 def read_journal(path: Path) -> Records:
-    """Return the records of a journal."""
     found = decode(read_file(path, MAX_BYTES))
     if found.newest_version > VERSION:
         raise StudyError(

@@ -145,7 +145,6 @@ def assign(
 def balance_of(
     definition: Definition, orders: Sequence[Sequence[Condition]]
 ) -> Balance:
-    """Return the balance of several orders."""
     index = {condition: i for i, condition in enumerate(definition.conditions)}
     count = len(index)
     at_position = np.zeros((count, count), dtype=np.int64)

@@ -103,7 +103,6 @@ def parse_plan_file(content: bytes, path: str) -> Plan:
 
 
 def plan_of_record(content: Any, path: str) -> Plan:
-    """Return the plan in a record."""
     if isinstance(content, dict) and content.get("version") != VERSION:
         what = Message("was written by another version of the program")
         refuse(path, "", what, Message("update hapticplayer"))
@@ -130,7 +129,6 @@ def _digest(described: dict[str, Any]) -> str:
 
 
 def new_code(taken: Collection[str]) -> str:
-    """Return an unused code."""
     while True:
         code = "".join(secrets.choice(LETTERS) for _ in range(LENGTH))
         if code not in taken:

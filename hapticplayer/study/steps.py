@@ -102,7 +102,6 @@ def steps_of(definition: Definition, trials: int) -> list[str]:
 
 
 def pages_before(definition: Definition, step: str) -> tuple[QuestionPage, ...]:
-    """The pages of questions before the clip of a step."""
     return definition.pages_at(When.BEFORE_CLIP) if position_of(step) else ()
 
 

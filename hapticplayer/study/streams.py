@@ -89,7 +89,6 @@ class StreamKind(NamedTuple):
 
 
 def open_stream(name: str, wanted: Wanted) -> StudyStream:
-    """A stream of that kind."""
     for kind in extension.rows("study_streams", StreamKind):
         if kind.name == name:
             return cast(StudyStream, extension.load(kind.home)(wanted))

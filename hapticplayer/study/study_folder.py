@@ -56,7 +56,6 @@ class Study:
         return self.folder / SESSIONS / checked_code(code)
 
     def codes(self) -> list[str]:
-        """Return the codes of all sessions."""
         try:
             names = [entry.name for entry in (self.folder / SESSIONS).iterdir()]
         except FileNotFoundError:
