@@ -100,7 +100,7 @@ Version: $version
 Architecture: amd64
 Maintainer: $maintainer
 Installed-Size: $(du -sk --apparent-size -- "$tree" | cut -f1)
-Depends: python3 (>= 3.11), python3 (<< 3.14), python3 (<< 3.12) | python3 (>= 3.13), adduser, libc6 (>= 2.36), libstdc++6, zlib1g$(names_of lib)
+Depends: python3 (>= 3.11), python3 (<< 3.14), python3 (<< 3.12) | python3 (>= 3.13), passwd, libc6 (>= 2.36), libstdc++6, zlib1g$(names_of lib)
 Recommends: $(names_of other | cut -c3-)
 Suggests: python3-pip
 Section: video

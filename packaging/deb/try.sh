@@ -26,11 +26,13 @@ done
 cp -- /etc/resolv.conf "$root/etc/resolv.conf"
 install -D -m 644 -- "$deb" "$root/srv/hapticplayer.deb"
 
-# Every file that a package could leave; caches that apt, ldconfig and others keep are theirs.
+# Every file that a package could leave; caches that apt, ldconfig and others keep, and the
+# backups of groupadd, are theirs.
 files() {
   inside find / -xdev \( -path /proc -o -path /sys -o -path /dev -o -path /srv -o -path /tmp \
     -o -path /root -o -path /run -o -path /var/cache -o -path /var/log -o -path /var/lib/apt \
-    -o -path /var/lib/dpkg -o -path /usr/share/mime -o -path /var/lib/systemd \) -prune -o -print | sort
+    -o -path /var/lib/dpkg -o -path /usr/share/mime -o -path /var/lib/systemd \
+    -o -path /etc/group- -o -path /etc/gshadow- \) -prune -o -print | sort
 }
 
 step "what the trial needs"
