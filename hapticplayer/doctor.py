@@ -317,7 +317,7 @@ def _check_facilities() -> list[MachineCheck]:
     if sys.version_info < OLDEST_PYTHON:
         return []
     from hapticplayer.facilities import FACILITIES, has
-    from hapticplayer.linux import FIFO_PRIORITY, SWITCH, taken_away
+    from hapticplayer.linux import GUARD_PRIORITY, SWITCH, taken_away
 
     remedies = {
         "": "",
@@ -325,7 +325,7 @@ def _check_facilities() -> list[MachineCheck]:
         "limits": Message("add yourself to the group {name}, log in again", name=NAME)
         if is_debian()
         else Message(
-            "allow rtprio {n} and memlock in /etc/security/limits.d", n=FIFO_PRIORITY
+            "allow rtprio {n} and memlock in /etc/security/limits.d", n=GUARD_PRIORITY
         ),
     }
     is_away = Message("unset {switch}", switch=SWITCH)

@@ -54,7 +54,7 @@ def session_bus() -> str:
 
 def _may_use_fifo() -> bool:
     policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
-    if not linux.give_fifo(0, linux.FIFO_PRIORITY):
+    if not linux.give_fifo(0, linux.GUARD_PRIORITY):
         return False
     os.sched_setscheduler(0, policy, parameter)
     return True

@@ -14,6 +14,7 @@ import pytest
 
 from hapticplayer import doctor, errors, facilities, installation, linux, shipped
 from hapticplayer.facilities import FACILITIES
+from hapticplayer.linux import GUARD_PRIORITY
 
 RUN_PACKAGES = [
     package for package in doctor.read_apt_list() if package.group in doctor.RUN_GROUPS
@@ -332,7 +333,11 @@ def test_a_falcon_on_usb_is_found(monkeypatch, tmp_path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "remedy"),
-    [("cpu-latency", "udev"), ("fifo", "rtprio 80"), ("mlock", "memlock")],
+    [
+        ("cpu-latency", "udev"),
+        ("fifo", f"rtprio {GUARD_PRIORITY}"),
+        ("mlock", "memlock"),
+    ],
 )
 def test_a_right_that_this_user_lacks_names_who_gives_it(monkeypatch, name, remedy):
     refused = FACILITIES[name]._replace(is_granted=lambda: False)

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from hapticplayer import doctor
+from hapticplayer.linux import DEVICE_PRIORITY, FIFO_PRIORITY, GUARD_PRIORITY
 
 ROOT = doctor.ROOT
 LOCKS = ("requirements.lock", "requirements-dev.lock")
@@ -342,3 +343,9 @@ def test_set_ups_at_the_same_time_wait_for_one_another(machine) -> None:
 
     assert [each.returncode for each in results] == [7] * 4
     assert len(machine.calls("-m venv")) == 1
+
+
+def test_the_group_may_have_the_priority_of_the_guard() -> None:
+    limits = (ROOT / "packaging/deb/limits.conf").read_text(encoding="utf-8")
+    assert f"@hapticplayer - rtprio {GUARD_PRIORITY}\n" in limits
+    assert max(GUARD_PRIORITY, FIFO_PRIORITY, DEVICE_PRIORITY) == GUARD_PRIORITY
