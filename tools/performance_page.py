@@ -41,6 +41,13 @@ Beside cyclictest in the same rounds; `stress` holds the window's interpreter fo
 
 {loop}
 
+## What playing costs
+
+CPU of all processes beside mpv's on the same clip in the same rounds, with their shares of a core, and PSS of
+all of them, beside mpv's. `with plots`: in a window with the live plots.
+
+{players}
+
 ## Synchronisation of frame, sound and force, ms
 
 Measured from outside: median and, in brackets, 95 % of the magnitude; positive: the first named is
@@ -119,12 +126,29 @@ def loop(found: dict[str, Any]) -> Table:
     return [*header, "p99 of cyclictest (1.2)", "p99.9 (1.5)"], rows
 
 
+PROCESSES = ("window", "sound", "loop", "guard", "device")
+
+
+def players(found: dict[str, Any]) -> Table:
+    """Return CPU and memory of all processes with each clip."""
+    rows = []
+    for clip, each in found.items():
+        for name, one in each.items() if isinstance(each, dict) else ():
+            if isinstance(one, dict) and "cpu_ratio" in one and "mpv" not in name:
+                shares = [one.get(f"{part}_percent", "") for part in PROCESSES]
+                ratios = [one[f"{kind}_ratio"][0] for kind in ("cpu", "memory")]
+                rows.append([f"{clip}: {name}", *ratios, *shares, one["peak_mb"]])
+    header = ["", "CPU / mpv", "memory / mpv", *(f"{part} %" for part in PROCESSES)]
+    return [*header, "PSS MB"], rows
+
+
 TABLES: dict[str, Callable[[dict[str, Any]], Table]] = {
     "faults": faults,
     "outside": outside,
     "pats": pats,
     "frames": frames,
     "loop": loop,
+    "players": players,
 }
 
 

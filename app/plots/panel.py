@@ -65,7 +65,8 @@ class AccelerationPlot(PlayheadPlot):
             self.set_lines(0, thin(page))
         elif span_s:
             self.set_lines(0, EMPTY)
-        self.set_playhead(media_s)
+        if not self.notice:  # else there is nothing that could move
+            self.set_playhead(media_s)
 
 
 class ForcePlot(PlayheadPlot):

@@ -7,6 +7,7 @@ from benchmarks.common import command
 PLACES = {
     "loop": "haptics.loop",
     "recorder": "haptics.loop:recorder",
+    "waking": "haptics.waking",
     "rest": "haptics.rest",
     "exchange": "haptics.falcon:exchange",
     "kinematics": "haptics.falcon:kinematics",

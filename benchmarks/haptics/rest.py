@@ -1,7 +1,7 @@
 """The processor time of the haptics processes while nothing plays, before and at rest.
 
 The loop, its guard and the simulated device with a paused clip: at 1 kHz, and from 30 s
-later at 50 Hz.
+later at 25 Hz.
 """
 
 import argparse
@@ -19,7 +19,7 @@ SETTLING_S = 2.0
 BEAT_S = 0.05
 MARGIN_S = 1.0
 LIMIT = 0.2
-"""Of the processor time before: a twentieth of the ticks, each of them dearer."""
+"""Of the processor time before: a fortieth of the ticks, each of them dearer."""
 
 
 def options(parser: argparse.ArgumentParser) -> None:

@@ -7,6 +7,7 @@ from benchmarks.common import command
 PLACES = {
     "players": "playback.players",
     "start": "playback.start",
+    "idle": "playback.idle",
     "seeks": "playback.plots_and_seeks:seeks",
     "window": "playback.window",
     "plots": "playback.plots_and_seeks:plots",

@@ -54,7 +54,8 @@ _REMEDIES = {
 }
 _BY_A_PERSON = (Cause.STOPPED, Cause.UNPLUGGED)
 """A device that is gone has a problem of its own."""
-_ACTING = (Mode.ENTERING, Mode.FOLLOWING)
+_IS_ACTING = np.isin(np.arange(256), (Mode.ENTERING, Mode.FOLLOWING))
+"""By the mode, a byte."""
 
 
 def trip_text(cause: Cause) -> Message:
@@ -85,12 +86,12 @@ class OutputFaults:
 
     def add(self, ticks: NDArray[Any], *, is_wanted: bool, is_rig: bool) -> None:
         """Count ticks; `is_wanted` is whether the output was to play."""
-        is_acting = np.isin(ticks["mode"], _ACTING)
+        is_acting = _IS_ACTING[ticks["mode"]]
         self._acted += int(np.count_nonzero(is_acting))
         if is_rig:
             self._sent += int(np.count_nonzero(ticks["buttons"] & SENT))
             self._refused += int(np.count_nonzero(ticks["buttons"] & REFUSED))
-        if not is_wanted:
+        if not is_wanted or is_acting.all():
             return
         causes, counts = np.unique(ticks["cause"][~is_acting], return_counts=True)
         for cause, count in zip(causes.tolist(), counts.tolist(), strict=True):

@@ -41,6 +41,7 @@ def test_work_that_fails_at_once_leaves_nothing_switched_off(
 def test_all_that_can_be_shown_fits_a_screen_of_960_by_540(window, source, qtbot):
     """A usual screen at 200 %: the line at the bottom stays on it."""
     window.commands.plots.setChecked(True)
+    window.plots.prepare()
     window.messages.show_text("The device is gone")
     qtbot.wait(20)
     assert window.minimumSizeHint().height() <= 540
