@@ -43,9 +43,9 @@ class Collector(QObject):
         """Collect what has died young; now and then everything, and give memory back."""
         gc.collect(_YOUNG)
         self._portions += 1
-        if self._portions % COUNTED_EVERY:
-            return
-        if self._portions % FULL_EVERY == 0 or _old() > self._outlived + GROWN:
+        is_due = self._portions % FULL_EVERY == 0
+        is_counted = self._portions % COUNTED_EVERY == 0
+        if is_due or (is_counted and _old() > self._outlived + GROWN):
             gc.collect(_OLD)
             self._outlived = _old()
             give_back_freed_memory()

@@ -85,6 +85,7 @@ def _measured(window: PlayerWindow, way: str, seconds: float) -> dict[str, float
     plots, grip = WAYS[way]
     window.player.seek(0.0)
     window.player.play()
+    window.plots.prepare()
     window.show_plots(are_wanted=plots)
     window.plots.show_grip(is_wanted=grip)
     run_for(SETTLE_S)

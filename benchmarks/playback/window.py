@@ -145,6 +145,7 @@ class Tour(Person):
 
     def zoom_plots(self) -> Steps:
         """Zoom and move both plots."""
+        self._window.plots.prepare()
         panel = self._window.plots.panel
         for plot in (panel.acceleration, panel.force):
             for notches in (1, 1, -1, -1, -1, -1, 1, 1):

@@ -56,6 +56,7 @@ def test_a_window_that_nobody_sees_paints_nothing_and_plays_on(
     make_window, source, wait_for, counts, way, monkeypatch
 ):
     window = make_window()
+    window.plots.prepare()
     window.extras.statistics.show_text("figures")
     window.session.show_source(source)
     player = window.player
