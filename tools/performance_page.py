@@ -41,6 +41,12 @@ Beside cyclictest in the same rounds; `stress` holds the window's interpreter fo
 
 {loop}
 
+The loop sleeps to its deadline and does not spin before it. Waking 18 us early, and spinning for the rest,
+takes so much off the lateness, which no hand notices (cyclictest is as late), and costs what the kernel
+comes back too soon:
+
+{waking}
+
 ## What playing costs
 
 CPU of all processes beside mpv's on the same clip in the same rounds, with their shares of a core, and PSS of
@@ -142,6 +148,12 @@ def players(found: dict[str, Any]) -> Table:
     return [*header, "PSS MB"], rows
 
 
+def waking(found: dict[str, Any]) -> Table:
+    """Return lateness and cost of waking."""
+    header, *rows = found["tables"]["waking"]
+    return header, rows
+
+
 TABLES: dict[str, Callable[[dict[str, Any]], Table]] = {
     "faults": faults,
     "outside": outside,
@@ -149,6 +161,7 @@ TABLES: dict[str, Callable[[dict[str, Any]], Table]] = {
     "frames": frames,
     "loop": loop,
     "players": players,
+    "waking": waking,
 }
 
 
@@ -239,7 +252,8 @@ def page() -> str:
     """The page as the results have it."""
     tables = {"summary": summary(), "missed": missed()}
     for name, make in TABLES.items():
-        tables[name] = make(result(RESULTS / f"{name}.json"))
+        path = RESULTS / f"{name}.json"
+        tables[name] = make(result(path)) if path.exists() else (["not measured"], [])
     return TEXT.format(**{name: lines_of(*table) for name, table in tables.items()})
 
 
