@@ -140,7 +140,7 @@ def players(found: dict[str, Any]) -> Table:
     rows = []
     for clip, each in found.items():
         for name, one in each.items() if isinstance(each, dict) else ():
-            if isinstance(one, dict) and "cpu_ratio" in one and "mpv" not in name:
+            if isinstance(one, dict) and f"{PROCESSES[0]}_percent" in one:
                 shares = [one.get(f"{part}_percent", "") for part in PROCESSES]
                 ratios = [one[f"{kind}_ratio"][0] for kind in ("cpu", "memory")]
                 rows.append([f"{clip}: {name}", *ratios, *shares, one["peak_mb"]])
