@@ -47,6 +47,7 @@ from hapticplayer.study.preregistration import (
 )
 from hapticplayer.study.score_answers import RatedAnswers
 from hapticplayer.study.study_folder import Study, open_study
+from hapticplayer.study.watched import compared_keys
 
 _STOP = (
     "Data collection ends when this number of participants has completed a session; the "
@@ -108,7 +109,8 @@ def preregister(options: argparse.Namespace) -> int:
             first=lacking[0],
         )
     rated = RatedAnswers(definition)
-    measures = (*((QOE,) if rated.qoe else ()), *rated.ranges)
+    live = compared_keys(definition)
+    measures = (*((QOE,) if rated.qoe else ()), *rated.ranges, *live)
     check_hypotheses(options.hypothesis, measures, definition.feedback_keys)
     participants, power = _planned(study, options, measures)
     rules = options.stop_rule, options.exclude

@@ -1,16 +1,11 @@
 """The answers of a study as values, for analysis and export."""
 
-import hashlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Annotated, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from msgspec import Meta
-
-from hapticplayer import storage
-from hapticplayer.errors import Message, Progress, StudyError
-from hapticplayer.structures import read_json
+from hapticplayer.errors import Message, Progress
 from hapticplayer.study.conduct import Conduct, conduct_of
 from hapticplayer.study.definition import (
     OF_TRIALS,
@@ -24,7 +19,9 @@ from hapticplayer.study.definition import (
     When,
 )
 from hapticplayer.study.intervals import compared, judged
+from hapticplayer.study.live_ratings import RatingTrack
 from hapticplayer.study.preregistration import Registered, read_registered
+from hapticplayer.study.reviewing import read_reviewed, text_digest
 from hapticplayer.study.score_answers import RatedAnswers, ScoreAnswers, collect_scores
 from hapticplayer.study.scoring import Limits, PageScores, Scoring
 from hapticplayer.study.session_folder import SessionState, StoredSession
@@ -36,9 +33,13 @@ from hapticplayer.study.steps import (
 )
 from hapticplayer.study.study_folder import Study, open_study
 from hapticplayer.study.trial_forces import measure_trial_forces
-
-REVIEWED = "reviewed.json"
-_Digest = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
+from hapticplayer.study.watched import (
+    Course,
+    compared_figures,
+    courses,
+    ranges_of_figures,
+    tracks_of,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,6 +187,7 @@ class Answers:
         scores: of scales.
         registered: the plan that was written before, and what differs from it.
         trial, standard, staircase: of the definition.
+        courses: ratings over the time of the clips; read where forces are.
     """
 
     participants: tuple[Participant, ...]
@@ -207,6 +209,7 @@ class Answers:
     trial: TrialKind = TrialKind.RATING
     standard: FeedbackLevel | None = None
     staircase: Staircase | None = None
+    courses: tuple[Course, ...] = ()
 
 
 def simulated_mark(participants: Sequence[Participant]) -> str:
@@ -248,18 +251,22 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         step = Message("reading records of {code}", code=session.code)
         progress(number / len(sessions), step)
         trial_forces[session.code] = measure_trial_forces(session, notices)
+    figures = ranges_of_figures(definition, [r for c in collected for r in c.figures()])
+    tracks = [one.valid_tracks() for one in collected]
     return Answers(
         participants=tuple(one.participant() for one in collected),
         ratings=tuple(r for one in collected for r in one.ratings()),
         sequences=tuple(s.key for s in definition.sequences),
         feedbacks=definition.feedback_keys,
-        factors=tuple(rated.ranges),
+        factors=(*rated.ranges, *figures),
         open_answers=tuple(a for one in collected for a in one.open_answers()),
         judgements=tuple(j for one in collected for j in one.judgements()),
-        repeated=sum(one.repeated for one in collected) * len(rated.ranges),
+        repeated=sum(one.repeated for one in collected)
+        * len({**rated.ranges, **figures}),
+        courses=tuple(courses(study, tracks, notices)) if progress else (),
         notices=tuple(notices),
         conduct=conduct_of(definition, sessions, trial_forces),
-        ranges=rated.ranges,
+        ranges={**rated.ranges, **figures},
         qoe=rated.qoe,
         items=rated.items,
         others=tuple(_others(definition, collected)),
@@ -342,6 +349,7 @@ class _SessionAnswers:
     ) -> None:
         self._session, self._definition = session, definition
         self._rated = rated
+        self._tracks = tracks_of(session, notices)
         self._values: dict[str, Any] = {}
         for page in session.definition.pages:
             if page.when not in OF_TRIALS:
@@ -395,9 +403,29 @@ class _SessionAnswers:
             trial = self._trials.get(condition)
             is_valid = trial.is_valid if trial else True
             numbers = self._rated.of(trial.values if trial else {})
-            for key, value in numbers.items():
+            for key, value in {**numbers, **self._figures(trial)}.items():
                 of = condition.sequence, condition.feedback, key
                 yield Rating(self._session.code, *of, value, is_valid)
+
+    def _figures(self, trial: AnsweredTrial | None) -> dict[str, float | None]:
+        place = (trial.position, trial.attempt) if trial else (0, 0)
+        return compared_figures(self._definition, self._tracks, *place)
+
+    def figures(self) -> Iterator[dict[str, float | None]]:
+        """Yield the ratings while the clip of each trial played."""
+        yield from map(self._figures, self._trials.values())
+
+    def valid_tracks(self) -> dict[Condition, dict[str, RatingTrack]]:
+        """The ratings over time of trials that count, by condition and key."""
+        return {
+            condition: {
+                key: track
+                for (position, attempt, key), track in self._tracks.items()
+                if (position, attempt) == (trial.position, trial.attempt)
+            }
+            for condition, trial in self._trials.items()
+            if trial.is_valid
+        }
 
     def numbers(self, page: PageScores, feedback: str) -> dict[str, float | None]:
         """What the answers to a page count as; after clips the mean of valid ones."""
@@ -465,27 +493,3 @@ def _of_type(value: Any, kind: Any) -> Any:
     """Return a value if it has the expected type (files can be edited), else None."""
     is_right = isinstance(value, kind) and isinstance(value, bool) == (kind is bool)
     return value if is_right else None
-
-
-def text_digest(code: str, name: str, text: str) -> str:
-    """Return the digest of a text answer; a changed text has to be reviewed again."""
-    return hashlib.sha256(f"{code}\n{name}\n{text}".encode()).hexdigest()
-
-
-def read_reviewed(session_folder: Path) -> set[str]:
-    """Return the digests of the approved texts; none if the file is damaged."""
-    path = session_folder / REVIEWED
-    if not path.exists():
-        return set()
-    try:
-        return read_json(path, dict[str, set[_Digest]], StudyError)["passed"]
-    except (StudyError, KeyError):
-        return set()  # the safe side: they have to be reviewed again
-
-
-def save_reviewed(session_folder: Path, digests: Iterable[str]) -> None:
-    """Store that a person has approved these texts."""
-    with storage.locked(session_folder):
-        passed = sorted(read_reviewed(session_folder) | set(digests))
-        content = storage.json_text({"passed": passed})
-        storage.replace_file(session_folder / REVIEWED, content, storage.PRIVATE_FILE)

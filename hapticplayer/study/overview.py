@@ -8,10 +8,9 @@ from hapticplayer.errors import Message, Progress, StudyError, no_progress
 from hapticplayer.study.answers import (
     collect_answers,
     is_simulated,
-    save_reviewed,
-    text_digest,
 )
 from hapticplayer.study.orders import Balance
+from hapticplayer.study.reviewing import save_reviewed, text_digest
 from hapticplayer.study.sequence_folders import sequence_folder
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import answered_trials

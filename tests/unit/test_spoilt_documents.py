@@ -30,11 +30,12 @@ from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.sessions import write_scripted_session
-from hapticplayer.study.answers import read_answers, read_reviewed
+from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.journal import decode, encode
 from hapticplayer.study.orders import ORDERS
 from hapticplayer.study.plan import parse_plan_file
+from hapticplayer.study.reviewing import read_reviewed
 from hapticplayer.study.study_folder import open_study
 
 DEEP, LARGE = "<deep>", "<large>"

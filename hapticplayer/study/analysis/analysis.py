@@ -12,6 +12,7 @@ from hapticplayer import __version__
 from hapticplayer.errors import Message, Progress
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
+from hapticplayer.study.analysis.first_order import first_order_models
 from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
 from hapticplayer.study.analysis.ordinal_mixed import ORDINAL_LOGIT, ORDINAL_PROBIT
 from hapticplayer.study.analysis.question_report import question_summary
@@ -107,6 +108,7 @@ class Analysis:
         measures: "qoe" first if there is one, then the factors.
         found: results by name of the statistic and measure.
         answers: that were analysed.
+        first_order: models of sliders that were moved while clips played, by key.
     """
 
     scores: Scores
@@ -114,6 +116,7 @@ class Analysis:
     measures: dict[str, MeasureAnalysis]
     found: dict[str, dict[str, Any]]
     answers: Answers
+    first_order: dict[str, dict[str, Any]]
 
 
 def analyse(
@@ -143,7 +146,8 @@ def analyse(
             found[name][measure] = plain(one)
     for name, statistic in STATISTICS.items():
         statistic.correct(found[name])
-    return Analysis(scores, options, measures, found, answers)
+    models = first_order_models(answers.courses, options.resampling)
+    return Analysis(scores, options, measures, found, answers, models)
 
 
 def _described(

@@ -1,7 +1,10 @@
 """The parts of a report, independent of its format, and their numbers."""
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+
+_WORD = re.compile(r"[^\W\d_]{4,}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +36,12 @@ class ReportTable:
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     note: str = ""
+
+    @property
+    def words(self) -> tuple[bool, ...]:
+        """Which columns hold words, which begin at the left, rather than numbers."""
+        columns = list(zip(*self.rows, strict=True)) or [()] * len(self.head)
+        return (True, *(any(map(_WORD.search, cells)) for cells in columns[1:]))
 
 
 @dataclass(frozen=True, slots=True)

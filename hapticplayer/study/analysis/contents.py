@@ -26,6 +26,7 @@ from hapticplayer.study.analysis.conduct_report import (
     people,
     playback,
 )
+from hapticplayer.study.analysis.course_report import course_blocks
 from hapticplayer.study.analysis.describing import Summary
 from hapticplayer.study.analysis.methods import (
     computed_with,
@@ -93,6 +94,7 @@ def _results(analysis: Analysis) -> Iterator[ReportBlock]:
     yield Heading("Tests")
     tables = [_table(one, analysis.found[name]) for name, one in STATISTICS.items()]
     yield from (table for table in tables if table.rows)
+    yield from course_blocks(analysis.answers, analysis.first_order)
 
 
 def _assumptions() -> Iterator[ReportBlock]:

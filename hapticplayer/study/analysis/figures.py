@@ -29,7 +29,7 @@ DPI = 150
 # Okabe and Ito: safe for colour blindness; hatches for print
 _COLOURS = ("#bbbbbb", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442")
 _HATCHES = ("", "//", "..", "xx", "\\\\", "++")
-_DARK = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#222222")
+DARK = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#222222")
 _MARKERS = "osD^v*"
 _INK, _LINE, _MARK = "#222222", "#444444", "#a32020"
 _GROUP = 0.84  # share of the space between two groups
@@ -103,15 +103,18 @@ def effects_by_measure(effects: dict[str, dict[str, Any]]) -> "Figure":
                 "fmt": _MARKERS[number % len(_MARKERS)],
                 "capsize": 3,
             }
-            look["color"] = _DARK[number % len(_DARK)]
+            look["color"] = DARK[number % len(DARK)]
             at = np.array([i for i, _ in known]) + aside
             panel.errorbar(
                 at, values, [values - low, high - values], label=pair, **look
             )
-        panel.set_xticks(
-            range(len(effects)),
-            [textwrap.fill(name, _LETTERS // len(effects)) for name in effects],
-        )
+        width = _LETTERS // len(effects)
+        is_wide = any(len(word) > width for name in effects for word in name.split())
+        turned = {"rotation": 30.0, "ha": "right"} if is_wide else {}
+        names = [
+            textwrap.fill(name, _LETTERS if is_wide else width) for name in effects
+        ]
+        panel.set_xticks(range(len(effects)), names, **turned)
         figure.legend(
             loc="outside upper center", ncols=min(len(pairs), 5), frameon=False
         )
@@ -185,7 +188,7 @@ def _figure(
     """Draw groups of (P, F) side by side."""
     with new_panel(label) as (figure, panel):
         for place, values in enumerate(groups.values()):
-            _draw_group(panel, place, values, limits[0])
+            _draw_group(panel, place, values, min(max(0.0, limits[0]), limits[1]))
         width = max(_LEAST_LETTERS, _LETTERS // len(groups))
         panel.set_xticks(
             range(len(groups)), [textwrap.fill(name, width) for name in groups]

@@ -8,7 +8,7 @@ from hapticplayer.study.analysis.references import EFRON_1993, HOLM_1979
 from hapticplayer.study.analysis.scores import MissingPolicy, Scores
 from hapticplayer.study.analysis.statistic import listed
 
-MISSING = {
+_MISSING = {
     MissingPolicy.PAIRED: "Where an answer was missing, its sequence was left out for all "
     "feedbacks of this participant.",
     MissingPolicy.COMPLETE: "Participants with a missing answer were left out of the "
@@ -24,7 +24,7 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
         f"Each of {len(scores.sequences)} sequences was rated with each of "
         f"{len(scores.feedbacks)} feedbacks ({listed(scores.feedbacks)}) for "
         f"{_scales(scores)}.{_sum(scores)} Unless stated otherwise, tests are of the means over the sequences for "
-        f"each participant and feedback. {MISSING[options.missing]} {invalid_text(options)}"
+        f"each participant and feedback. {_MISSING[options.missing]} {invalid_text(options)}"
     )
     for name, statistic in STATISTICS.items():
         found = analysis.found[name]

@@ -33,6 +33,7 @@ from hapticplayer.study.analysis.statistic import (
     ReportColumn,
     Statistic,
     interval,
+    listed,
     number,
     p_value,
 )
@@ -156,12 +157,18 @@ def _rows(found: Found | None) -> dict[str, Found]:
 
 
 def _warnings(found: dict[str, Any]) -> list[str]:
-    return [
-        f"{measure}: the mixed model cannot estimate {pair}: nearly all answers of one of "
-        "them are at an end of the scale."
+    unknown = {
+        measure: [
+            pair for pair, part in one["pairs"].items() if part["estimate"] is None
+        ]
         for measure, one in found.items()
-        for pair, part in (one or {"pairs": {}})["pairs"].items()
-        if part["estimate"] is None
+        if one
+    }
+    return [
+        f"{measure}: the mixed model cannot estimate {listed(pairs)}: nearly all answers to a "
+        "feedback are at an end of the scale, or apart from those to another one."
+        for measure, pairs in unknown.items()
+        if pairs
     ]
 
 

@@ -136,7 +136,7 @@ def _add_table(pdf: "FPDF", table: ReportTable) -> None:
         width=fitted * sum(widths),
         col_widths=[fitted * width for width in widths],
         align="LEFT",
-        text_align=("LEFT", *["RIGHT"] * (len(widths) - 1)),
+        text_align=tuple("LEFT" if one else "RIGHT" for one in table.words),
         line_height=size_pt * _LINE,
         padding=(0.0, fitted * _PADDING_MM),
         borders_layout=TableBordersLayout.SINGLE_TOP_LINE,

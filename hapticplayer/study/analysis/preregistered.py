@@ -15,7 +15,6 @@ from hapticplayer.study.analysis.blocks import (
     numbered,
 )
 from hapticplayer.study.analysis.conduct_report import ORDERS
-from hapticplayer.study.analysis.methods import MISSING, invalid_text
 from hapticplayer.study.analysis.parts import ReportParts
 from hapticplayer.study.analysis.scores import MissingPolicy
 from hapticplayer.study.analysis.statistic import ALPHA, listed, number, p_value
@@ -30,6 +29,13 @@ from hapticplayer.study.preregistration import (
 )
 from hapticplayer.study.questions import range_of
 from hapticplayer.study.scoring import formula_of
+
+_MISSING = {
+    MissingPolicy.PAIRED: "Where an answer is missing, its sequence is left out for all "
+    "feedbacks of this participant.",
+    MissingPolicy.COMPLETE: "Participants with a missing answer are left out of the tests "
+    "over sequences.",
+}
 
 
 def analysis_digest() -> str:
@@ -165,8 +171,8 @@ def _result(text: str, numbers: Mapping[str, Any]) -> str:
     is_clear = pair["p_holm"] <= ALPHA
     word = "supported" if more > 0.0 else "contradicted"
     return (
-        f"It was {word if is_clear else 'not supported'}: difference of the means "
-        f"{number(more)}, Wilcoxon's signed-rank test, p (Holm) {p_value(pair['p_holm'])}."
+        f"It was {word if is_clear else 'not supported'}: mean of {claim.higher} less "
+        f"{claim.lower} {number(more)}, Wilcoxon's signed-rank test, p (Holm) {p_value(pair['p_holm'])}."
     )
 
 
@@ -224,6 +230,12 @@ def _design(definition: Definition) -> Iterator[ReportBlock]:
     rows = tuple(_questions(definition))
     head = ("question", "shown", "kind", "range", "wording")
     yield ReportTable("Questions", head, rows)
+    live = tuple(_live(definition))
+    if live:
+        heads = ("rating", "by", "range", "stops the clip at", "wording")
+        yield ReportTable("Ratings while the clips play", heads, live)
+    if definition.gap_s:
+        yield Paragraph(f"At least {definition.gap_s:g} s lie between two clips.")
     scores = tuple(
         (score.key, score.text, formula_of(score))
         for page in definition.pages
@@ -253,6 +265,18 @@ def _questions(definition: Definition) -> Iterator[tuple[str, ...]]:
             )
 
 
+def _live(definition: Definition) -> Iterator[tuple[str, ...]]:
+    for one in definition.while_watching:
+        every = f", each {one.every_s:g} s" if one.every_s else ""
+        yield (
+            one.key,
+            f"{one.kind.value.replace('-', ' ')}{every}",
+            "-" if one.least is None else f"{one.least} to {one.most}",
+            "-" if one.stop_at is None else str(one.stop_at),
+            one.text[definition.languages[0]],
+        )
+
+
 def _participants(plan: Preregistration) -> Iterator[ReportBlock]:
     yield Heading("Participants and stop rule")
     yield Paragraph(f"Planned number of participants: {plan.participants}.")
@@ -274,15 +298,15 @@ def _participants(plan: Preregistration) -> Iterator[ReportBlock]:
 def _exclusion(plan: Preregistration, definition: Definition) -> str:
     limits = definition.limits
     options = plan.analysis
-    invalid = AnalysisOptions(include_invalid=options.include_invalid)
+    kept = "are kept" if options.include_invalid else "count as missing"
     rules = " ".join(f"{rule.rstrip('.')}." for rule in plan.exclusions)
     return (
         "The playback of a trial is not valid if the safety contract stopped the force, if "
         f"more than {100.0 * limits.dropped_share:g} % of the frames were dropped, more than "
         f"{limits.silence_s:g} s of sound or {100.0 * limits.missed_share:g} % of the periods "
         f"of the haptic loop were missing, or force and video or sound were more than "
-        f"{limits.sync_ms:g} ms apart. {invalid_text(invalid)} "
-        f"{MISSING[MissingPolicy(options.missing_answers)]} {rules}"
+        f"{limits.sync_ms:g} ms apart. Answers to such trials {kept}. "
+        f"{_MISSING[MissingPolicy(options.missing_answers)]} {rules}"
     ).rstrip()
 
 
@@ -290,7 +314,7 @@ def _analysis(plan: Preregistration) -> Iterator[ReportBlock]:
     planned = plan.analysis
     yield Heading("Analysis")
     yield Paragraph(
-        f"`study analyse` of {plan.program}, {planned.resamples} resamples from the seed "
+        f"The analysis of {plan.program}, {planned.resamples} resamples from the seed "
         f"{planned.seed}, significance level {ALPHA:g}, p corrected by Holm's method: "
         f"{'; '.join(planned.statistics)}."
     )

@@ -5,7 +5,7 @@ import io
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from hapticplayer import extension, storage
 from hapticplayer.errors import Message, Progress, StudyError
@@ -17,6 +17,11 @@ from hapticplayer.study.analysis.analysis import (
     analyse,
     summary,
 )
+from hapticplayer.study.analysis.course_report import (
+    course_figures,
+    course_rows,
+    course_summary,
+)
 from hapticplayer.study.analysis.describing import Summary
 from hapticplayer.study.analysis.parts import Analyse, AnalysisKind, ReportParts
 from hapticplayer.study.analysis.pdf import write_pdf
@@ -26,6 +31,9 @@ from hapticplayer.study.analysis.typesetting import page
 from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.definition import TrialKind
 from hapticplayer.study.study_csv import guarded
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 def analyse_study(
@@ -56,20 +64,27 @@ def _analysed(
 def parts_of(found: Analysis) -> ReportParts:
     mark = simulated_mark(found.answers.participants)
     is_empty = found.scores.is_empty
+    over_time = course_summary(found.answers, found.first_order)
+    has_courses = bool(found.answers.courses)
     return ReportParts(
         found.answers,
         mark,
-        rounded(summary(found)),
+        rounded({**summary(found), "over_time": over_time}),
         () if is_empty else tuple(_lines(found)),
         tuple(contents.contents(found)),
-        lambda: {} if is_empty else figures.marked(figures.figures(found), mark),
+        lambda: {} if is_empty else figures.marked(_figures(found), mark),
         {
             "conditions.csv": _condition_rows(found),
             "tests.csv": _test_rows(found),
             "scores.csv": _score_rows(found),
+            **({"courses.csv": course_rows(found.answers)} if has_courses else {}),
         },
         is_empty,
     )
+
+
+def _figures(found: Analysis) -> dict[str, "Figure"]:
+    return figures.figures(found) | course_figures(found.answers)
 
 
 def _lines(found: Analysis) -> Iterator[str]:

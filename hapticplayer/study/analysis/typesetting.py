@@ -21,10 +21,10 @@ table { border-collapse: collapse; margin: 0.6em 0 1.4em; font-size: 13px; }
 .mark { position: fixed; top: 0; right: 0; padding: 0.3em 0.9em; background: #a32020;
   color: #fff; font-weight: bold; }
 caption { text-align: left; font-weight: bold; padding: 0.3em 0; }
-th, td { padding: 0.2em 0.7em; text-align: right; white-space: nowrap;
+th, td { padding: 0.2em 0.7em; white-space: nowrap;
   border-bottom: 1px solid #e1e5ea; }
 thead { display: table-header-group; }
-th:first-child, td:first-child { text-align: left; }
+th:not([align]), td:not([align]) { text-align: right; }
 img { max-width: 100%; }
 @media print { h2, table, img { break-inside: avoid; } }
 """
@@ -83,8 +83,13 @@ def _block(block: ReportBlock, source: Callable[[str], str]) -> str:
 
 
 def _table(table: ReportTable) -> str:
+    left = tuple(' align="left"' if one else "" for one in table.words)
+
     def row(cells: tuple[str, ...], tag: str) -> str:
-        inner = "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells)
+        inner = "".join(
+            f"<{tag}{side}>{html.escape(cell)}</{tag}>"
+            for cell, side in zip(cells, left, strict=True)
+        )
         return f"<tr>{inner}</tr>"
 
     rows = "\n".join(row(cells, "td") for cells in table.rows)

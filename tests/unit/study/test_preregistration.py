@@ -49,7 +49,7 @@ def test_a_study_done_as_planned_has_no_deviation(planned, manual_clock, tmp_pat
     kept = report.numbers["preregistration"]
     assert kept["deviations"] == []
     supported, contradicted = (one["result"] for one in kept["hypotheses"])
-    assert supported.startswith("It was supported: difference of the means ")
+    assert supported.startswith("It was supported: mean of realistic less none ")
     assert "contradicted" in contradicted or "not supported" in contradicted
     texts = [one.text for one in report.blocks if isinstance(one, Paragraph)]
     assert any(kept["sha256"] in text for text in texts)

@@ -12,11 +12,10 @@ from hapticplayer.errors import StudyError
 from hapticplayer.study.answers import (
     collect_answers,
     read_answers,
-    save_reviewed,
-    text_digest,
 )
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.plan import describe
+from hapticplayer.study.reviewing import save_reviewed, text_digest
 from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.study_folder import (
     begin_session,

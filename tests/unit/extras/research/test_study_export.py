@@ -24,10 +24,10 @@ from hapticplayer.haptics.records import RecordWriter
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study import study_export
-from hapticplayer.study.answers import save_reviewed, text_digest
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.plan import describe
+from hapticplayer.study.reviewing import save_reviewed, text_digest
 from hapticplayer.study.study_export import Exporter, export_study
 from hapticplayer.study.study_folder import begin_session, open_study
 from tests.bids import errors_in, validated

@@ -103,7 +103,7 @@ def test_the_page_is_well_formed(report):
 
 def test_the_numbers_are_those_of_the_analysis(analysis, report):
     numbers = json.loads((report / "numbers.json").read_text(encoding="utf-8"))
-    assert numbers == rounded(summary(analysis))
+    assert numbers == rounded({**summary(analysis), "over_time": {}})
     with (report / "tests.csv").open(encoding="utf-8") as lines:
         rows = {tuple(row[:4]): row[4] for row in csv.reader(lines)}
     chi2 = float(rows["friedman", "qoe", "", "chi2"])
