@@ -30,9 +30,11 @@ class Setting(NamedTuple):
     effects: tuple[float, ...]
     of_people: float
     of_clips: float
+    of_cells: float = 0.0
 
     def drawn(self, rng: np.random.Generator) -> Floats:
-        truth = np.array(self.effects), self.of_people, self.of_clips
+        deviations = self.of_people, self.of_clips, self.of_cells
+        truth = np.array(self.effects), *deviations
         population = LatentPopulation(self.link, np.array(CUTS), *truth)
         return population.drawn(self.people, self.clips, rng)
 
@@ -42,6 +44,7 @@ SETTINGS = (
     Setting(LinkFunction.LOGIT, 15, 4, (0.0, 0.0), 1.0, 0.5),
     Setting(LinkFunction.PROBIT, 15, 4, (0.0, 0.8), 0.7, 0.3),
     Setting(LinkFunction.PROBIT, 40, 4, (0.2, 0.6), 0.7, 0.3),
+    Setting(LinkFunction.LOGIT, 15, 4, (0.0, 1.0), 1.0, 0.5, 0.8),
 )
 
 
@@ -65,6 +68,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
         z = np.array(found)
         coverage = float((np.abs(z) <= scipy.stats.norm.isf(0.025)).mean())
         name = f"{setting.link.value}, {setting.people} people, {setting.effects}"
+        name += ", people prefer different feedbacks" if setting.of_cells else ""
         slack = 0.04 if options.quick else 0.0
         report.target(f"{name}: coverage", coverage, (">=", LIMITS[0] - slack))
         report.target(f"{name}: coverage", coverage, ("<=", LIMITS[1] + slack))

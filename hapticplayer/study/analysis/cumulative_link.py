@@ -43,11 +43,13 @@ class OrderedAnswers:
         levels: (n,) from 0, each of which occurs.
         design: (n, b) columns of the fixed effects, without an intercept.
         groups: (n,) from 0, one for each random intercept; the first may have many.
+        nested: how many of the first groups may have many: each lies within the next.
     """
 
     levels: Indices
     design: Floats
     groups: tuple[Indices, ...]
+    nested: int = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +162,7 @@ def _laplace(
     fixed = answers.design @ at.effects
     bounds = np.concatenate([[-np.inf], at.thresholds, [np.inf]])
     low, high = bounds[answers.levels] - fixed, bounds[answers.levels + 1] - fixed
-    places = _Places.of(answers.groups, at.deviations)
+    places = _Places.of(answers, at.deviations)
 
     def joint(u: Floats) -> tuple[float, _Derivatives, _Curvature, Floats]:
         shift = places.values(u)
@@ -215,18 +217,36 @@ def _slope(
 
 
 class _Places(NamedTuple):
-    """Of each answer's random intercepts among all q of them, with their deviations."""
+    """Of each answer's random intercepts among all q of them, with their deviations.
+
+    Attributes:
+        at: (n,) for each group.
+        deviations: of the groups.
+        firsts: place of the first of each group, and q.
+        nested: number of the groups that are diagonal, each within the next.
+    """
 
     at: tuple[Indices, ...]
     deviations: Floats
-    size: int
-    first: int
+    firsts: Indices
+    nested: int
 
     @classmethod
-    def of(cls, groups: tuple[Indices, ...], deviations: Floats) -> "_Places":
-        firsts = np.cumsum([0, *(int(group.max()) + 1 for group in groups)])
-        at = tuple(group + first for group, first in zip(groups, firsts, strict=False))
-        return cls(at, deviations, int(firsts[-1]), int(firsts[1]))
+    def of(cls, answers: OrderedAnswers, deviations: Floats) -> "_Places":
+        sizes = [int(group.max()) + 1 for group in answers.groups]
+        firsts = np.cumsum([0, *sizes])
+        at = tuple(
+            group + first for group, first in zip(answers.groups, firsts, strict=False)
+        )
+        return cls(at, deviations, firsts, answers.nested)
+
+    @property
+    def size(self) -> int:
+        return int(self.firsts[-1])
+
+    def local(self, group: int) -> Indices:
+        """Of each answer in a group, from 0."""
+        return np.asarray(self.at[group] - self.firsts[group], np.intp)
 
     def values(self, u: Floats) -> Floats:
         """The shift (n,) of each answer."""
@@ -240,67 +260,125 @@ class _Places(NamedTuple):
         return total
 
 
-class _Curvature(NamedTuple):
-    """The negative Hessian by the intercepts, solved by Schur's complement.
-
-    It is diagonal among those of the first group: the work grows with the number of
-    people, not its cube.
+class _Level(NamedTuple):
+    """A group that was eliminated: nothing couples two of its members.
 
     Attributes:
-        own: (f,) diagonal of the first group.
-        share: (f, r) cross part over it.
-        inverse: (r, r) of the complement.
-        size: its log determinant.
+        own: (f,) diagonal.
+        share: (f, r) cross part with the groups that are left, over it.
+        parents: (f,) in the next level; None for the last one.
+        to_parent: (f,) cross part with it over `own`.
     """
 
     own: Floats
     share: Floats
+    parents: Indices | None = None
+    to_parent: Floats | None = None
+
+
+class _Curvature(NamedTuple):
+    """The negative Hessian by the intercepts, solved by Schur's complement.
+
+    It is diagonal among the members of a nested group: the work grows with the number of
+    people, not its cube.
+
+    Attributes:
+        levels: of the nested groups.
+        inverse: (r, r) of the complement.
+        size: its log determinant.
+    """
+
+    levels: tuple[_Level, ...]
     inverse: Floats
     size: float
 
     @classmethod
     def of(cls, places: _Places, bend: Floats) -> "_Curvature":
-        people, *others = places.at
-        of_people, *deviations = places.deviations
-        first, left = places.first, places.size - places.first
-        own = 1.0 + of_people**2 * np.bincount(people, bend, first)
-        cross, rest = np.zeros(first * left), np.eye(left).ravel()
-        for at, deviation in zip(others, deviations, strict=True):
-            cell = people * left + at - first
-            cross += of_people * deviation * np.bincount(cell, bend, first * left)
-            for other, by in zip(others, deviations, strict=True):
-                cell = (at - first) * left + other - first
-                rest += deviation * by * np.bincount(cell, bend, left**2)
-        share = cross.reshape(first, left) / own[:, None]
-        inner = rest.reshape(left, left) - cross.reshape(first, left).T @ share
-        return cls(own, share, np.linalg.inv(inner), np.linalg.slogdet(inner)[1])
+        count, deviations = places.nested, places.deviations
+        start = places.firsts[count]
+        left = places.size - int(start)
+        others = [at - start for at in places.at[count:]]
+        rest = np.eye(left)
+        for at, deviation in zip(others, deviations[count:], strict=True):
+            for other, by in zip(others, deviations[count:], strict=True):
+                pairs = np.bincount(at * left + other, bend, left**2)
+                rest += deviation * by * pairs.reshape(left, left)
+        levels: list[_Level] = []
+        for group in range(count):
+            here, size = places.local(group), int(np.diff(places.firsts)[group])
+            scale = deviations[group]
+            own = 1.0 + scale**2 * np.bincount(here, bend, size)
+            cross = np.zeros((size, left))
+            for at, deviation in zip(others, deviations[count:], strict=True):
+                cells = np.bincount(here * left + at, bend, size * left)
+                cross += scale * deviation * cells.reshape(size, left)
+            if levels:
+                below = levels[-1]
+                assert below.parents is not None
+                assert below.to_parent is not None
+                moved = below.to_parent * below.own
+                own -= np.bincount(below.parents, moved * below.to_parent, size)
+                for column in range(left):
+                    part = moved * below.share[:, column]
+                    cross[:, column] -= np.bincount(below.parents, part, size)
+            share = cross / own[:, None]
+            rest -= cross.T @ share
+            if group + 1 == count:
+                levels.append(_Level(own, share))
+                continue
+            parents = np.zeros(size, np.intp)
+            parents[here] = places.local(group + 1)
+            coupled = scale * deviations[group + 1] * np.bincount(here, bend, size)
+            levels.append(_Level(own, share, parents, coupled / own))
+        inverse = np.asarray(np.linalg.inv(rest), np.float64)
+        return cls(tuple(levels), inverse, float(np.linalg.slogdet(rest)[1]))
 
     def solve(self, right: Floats) -> Floats:
         """The inverse times (q,)."""
-        first = len(self.own)
-        others = self.inverse @ (right[first:] - right[:first] @ self.share)
-        people = right[:first] / self.own - self.share @ others
-        return np.concatenate([people, others])
+        sizes = [len(one.own) for one in self.levels]
+        *parts, others = np.split(right.copy(), np.cumsum(sizes))
+        for number, one in enumerate(self.levels):
+            others -= parts[number] @ one.share
+            if one.parents is not None and one.to_parent is not None:
+                moved = parts[number] * one.to_parent
+                parts[number + 1] -= np.bincount(one.parents, moved, sizes[number + 1])
+        others = self.inverse @ others
+        found: list[Floats] = []
+        for one, part in zip(self.levels[::-1], parts[::-1], strict=True):
+            solved = part / one.own - one.share @ others
+            if one.parents is not None and one.to_parent is not None:
+                solved -= one.to_parent * found[0][one.parents]
+            found.insert(0, solved)
+        return np.concatenate([*found, others])
 
     def log_determinant(self) -> float:
-        return float(np.log(self.own).sum() + self.size)
+        return float(sum(np.log(one.own).sum() for one in self.levels) + self.size)
 
     def of_answers(self, places: _Places) -> Floats:
         """The inverse times each answer's scaled row, at its own places: (K, n)."""
-        first = len(self.own)
-        far = self.share @ self.inverse
-        near = 1.0 / self.own + (far * self.share).sum(axis=1)
-        people, *others = places.at
-        of_people, *deviations = places.deviations
-        rows = [of_people * near[people]]
-        rows += [-of_people * far[people, at - first] for at in others]
-        for at, deviation in zip(others, deviations, strict=True):
-            rows[0] = rows[0] - deviation * far[people, at - first]
-            for row, other in enumerate(others, 1):
-                rows[row] = (
-                    rows[row] + deviation * self.inverse[other - first, at - first]
-                )
-        return np.array(rows)
+        count, deviations = places.nested, places.deviations
+        start, people = places.firsts[count], len(places.at[0])
+        others = np.zeros((people, len(self.inverse)))
+        rows = np.arange(people)
+        for at, deviation in zip(places.at[count:], deviations[count:], strict=True):
+            others[rows, at - start] += deviation
+        parts = [np.full(people, deviation) for deviation in deviations[:count]]
+        here = [places.local(group) for group in range(count)]
+        for number, one in enumerate(self.levels):
+            others -= parts[number][:, None] * one.share[here[number]]
+            if one.to_parent is not None:
+                parts[number + 1] -= parts[number] * one.to_parent[here[number]]
+        others = others @ self.inverse
+        found: list[Floats] = []
+        for number in reversed(range(count)):
+            one, at = self.levels[number], here[number]
+            solved = parts[number] / one.own[at] - (one.share[at] * others).sum(axis=1)
+            if one.to_parent is not None:
+                solved -= one.to_parent[at] * found[0]
+            found.insert(0, solved)
+        return np.array(
+            [*found, *(others[rows, at - start] for at in places.at[count:])]
+        )
 
 
 class _Derivatives(NamedTuple):

@@ -110,7 +110,7 @@ def effects_by_measure(effects: dict[str, dict[str, Any]]) -> "Figure":
             )
         width = _LETTERS // len(effects)
         is_wide = any(len(word) > width for name in effects for word in name.split())
-        turned = {"rotation": 30.0, "ha": "right"} if is_wide else {}
+        turned: dict[str, Any] = {"rotation": 30.0, "ha": "right"} if is_wide else {}
         names = [
             textwrap.fill(name, _LETTERS if is_wide else width) for name in effects
         ]

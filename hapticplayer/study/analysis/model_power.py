@@ -42,6 +42,7 @@ class LatentPopulation(NamedTuple):
         effects: of the feedbacks after the first one, against it.
         of_people: standard deviation of participants.
         of_clips: standard deviation of sequences.
+        of_cells: standard deviation of participants with each feedback.
     """
 
     link: LinkFunction
@@ -49,6 +50,7 @@ class LatentPopulation(NamedTuple):
     effects: Floats
     of_people: float
     of_clips: float
+    of_cells: float = 0.0
 
     @classmethod
     def of(
@@ -69,8 +71,13 @@ class LatentPopulation(NamedTuple):
                 "the mixed model cannot be fitted: nearly all answers to a feedback are "
                 "at an end of the scale; use the rank tests"
             )
-        of_people, of_clips = (*found.deviations.tolist(), 0.0)[:2]
-        return cls(link, found.thresholds, found.effects, of_people, of_clips)
+        of_cells, of_people, of_clips = [
+            *([0.0] * (2 - answers.nested)),
+            *found.deviations.tolist(),
+            0.0,
+        ][:3]
+        effects = found.effects
+        return cls(link, found.thresholds, effects, of_people, of_clips, of_cells)
 
     def drawn(self, people: int, clips: int, rng: np.random.Generator) -> Floats:
         """Levels (P, S, F) of a study, from 0."""
@@ -79,6 +86,8 @@ class LatentPopulation(NamedTuple):
         latent = rng.logistic(size=shape) if is_logit else rng.normal(size=shape)
         latent += self.of_people * rng.normal(size=(people, 1, 1))
         latent += self.of_clips * rng.normal(size=(clips, 1))
+        if self.of_cells:
+            latent += self.of_cells * rng.normal(size=(people, 1, shape[2]))
         latent += np.array([0.0, *self.effects])
         return np.searchsorted(self.thresholds, latent).astype(np.float64)
 

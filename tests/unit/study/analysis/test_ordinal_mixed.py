@@ -44,6 +44,19 @@ def _sleep() -> OrderedAnswers:
     )
 
 
+def _preferences() -> OrderedAnswers:
+    """Drawn: people who prefer different feedbacks; the model of R is
+    y ~ f + (1 | p:f) + (1 | p) + (1 | s)."""
+    rng = np.random.default_rng(11)
+    latent = rng.logistic(size=(15, 4, 3)) + rng.normal(size=(15, 1, 1))
+    latent += 1.2 * rng.normal(size=(15, 1, 3)) + 0.5 * rng.normal(size=(4, 1))
+    cuts = [-1.5, -0.5, 0.5, 1.5]
+    latent += np.array([0.0, 0.5, 1.5])
+    found = ordered_answers(1.0 + np.searchsorted(cuts, latent))
+    assert found is not None
+    return found
+
+
 @pytest.mark.parametrize(
     ("answers", "link", "thresholds", "effects", "errors", "variances", "likelihood"),
     [
@@ -74,8 +87,17 @@ def _sleep() -> OrderedAnswers:
             (3.065142,),
             -598.000389,
         ),
+        (
+            _preferences(),
+            LinkFunction.LOGIT,
+            (-0.129396, 0.540934, 1.621915, 2.601942),
+            (1.438607, 2.086154),
+            (0.677544, 0.689373),
+            (2.320963, 0.0, 0.0729506),
+            -250.973407,
+        ),
     ],
-    ids=["wine-logit", "wine-probit", "sleep-logit"],
+    ids=["wine-logit", "wine-probit", "sleep-logit", "preferences"],
 )
 def test_estimates_are_those_of_another_program(
     answers: OrderedAnswers,
