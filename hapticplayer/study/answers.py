@@ -253,16 +253,18 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         trial_forces[session.code] = measure_trial_forces(session, notices)
     figures = ranges_of_figures(definition, [r for c in collected for r in c.figures()])
     tracks = [one.valid_tracks() for one in collected]
+    factors = (*rated.ranges, *figures)
     return Answers(
         participants=tuple(one.participant() for one in collected),
-        ratings=tuple(r for one in collected for r in one.ratings()),
+        ratings=tuple(
+            r for one in collected for r in one.ratings() if r.factor in factors
+        ),
         sequences=tuple(s.key for s in definition.sequences),
         feedbacks=definition.feedback_keys,
-        factors=(*rated.ranges, *figures),
+        factors=factors,
         open_answers=tuple(a for one in collected for a in one.open_answers()),
         judgements=tuple(j for one in collected for j in one.judgements()),
-        repeated=sum(one.repeated for one in collected)
-        * len({**rated.ranges, **figures}),
+        repeated=sum(one.repeated for one in collected) * len(factors),
         courses=tuple(courses(study, tracks, notices)) if progress else (),
         notices=tuple(notices),
         conduct=conduct_of(definition, sessions, trial_forces),

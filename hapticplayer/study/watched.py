@@ -95,8 +95,12 @@ def compared_figures(
 def ranges_of_figures(
     definition: Definition, rows: Sequence[Mapping[str, float | None]]
 ) -> dict[str, tuple[float, float]]:
-    """Least and most of the figures: of the scale, or 0 to the longest time."""
-    keys = compared_keys(definition)
+    """Least and most of the figures that anybody has: of the scale, or 0 to the longest time."""
+    keys = {
+        key: rating
+        for key, rating in compared_keys(definition).items()
+        if any(row[key] is not None for row in rows)
+    }
     times = [key for key, one in keys.items() if one.kind is RatingKind.HELD_KEY]
     given = [one for row in rows for key in times if (one := row[key]) is not None]
     limits = {}
