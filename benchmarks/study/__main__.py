@@ -8,6 +8,7 @@ PLACES = {
     "kill": "study.kill",
     "analysis": "study.analysis",
     "ordinal": "study.ordinal",
+    "sites": "study.sites",
     "thresholds": "study.thresholds",
     "rating": "study.rating",
 }

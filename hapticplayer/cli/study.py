@@ -14,12 +14,19 @@ from hapticplayer.cli import (
     study_preregister,
     study_scales,
 )
-from hapticplayer.cli.common import add_outputs, complain, say, say_aside
+from hapticplayer.cli.common import (
+    add_outputs,
+    complain,
+    say,
+    say_aside,
+    shown_progress,
+)
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.storage import FOLDER, refuse_existing
 from hapticplayer.study.creation import create_study, template_names
 from hapticplayer.study.definition_reader import to_be_worded
-from hapticplayer.study.merging import merge_sessions
+from hapticplayer.study.merging import Merged, merge_sessions
 from hapticplayer.study.overview import (
     approve_texts,
     missing_sequences,
@@ -27,6 +34,7 @@ from hapticplayer.study.overview import (
     unreviewed_texts,
 )
 from hapticplayer.study.session_folder import SessionState
+from hapticplayer.study.sites import pack_study, signature_of
 from hapticplayer.study.study_export import export_study, study_exporters
 from hapticplayer.study.study_folder import (
     delete_participant,
@@ -46,6 +54,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     _add_status(actions)
     _add_review(actions)
     _add_export(actions)
+    _add_pack(actions)
     _add_merge(actions)
     _add_drop(actions)
     _add_delete(actions)
@@ -146,8 +155,20 @@ def _add_export(actions: Any) -> None:
 
 
 def _add_merge(actions: Any) -> None:
-    action = add_action(actions, "merge", "add the sessions of another machine", merge)
-    action.add_argument("other", metavar="OTHER", type=Path, help="copy of the study")
+    action = add_action(actions, "merge", "add the sessions of other machines", merge)
+    action.add_argument(
+        "others",
+        metavar="[SITE=]FOLDER",
+        nargs="+",
+        help="copies of the study, with the name of the site where each was run",
+    )
+    _add_json(action)
+
+
+def _add_pack(actions: Any) -> None:
+    summary = "a signed copy with all sequences, for other sites to run"
+    action = add_action(actions, "pack", summary, pack)
+    action.add_argument("-o", "--output", required=True, metavar="DIR", type=Path)
     _add_json(action)
 
 
@@ -299,18 +320,59 @@ def export(options: argparse.Namespace) -> int:
     return 0
 
 
+def pack(options: argparse.Namespace) -> int:
+    """Write a signed copy of a study for other sites."""
+    refuse_existing(options.output, FOLDER)
+    with shown_progress() as progress:
+        made = pack_study(open_study(options.study), options.output, progress)
+    report = {"files": len(made.files), "manifest_sha256": signature_of(made)}
+    said = f"{options.output}: {len(made.files)} files, {report['manifest_sha256']}"
+    say(json.dumps(report) if options.json else said)
+    return 0
+
+
 def merge(options: argparse.Namespace) -> int:
-    """Add the sessions of another machine; 1 where there were conflicts."""
-    merged = merge_sessions(open_study(options.study), open_study(options.other))
+    """Add the sessions of other machines; 1 where there were conflicts."""
+    study, found = open_study(options.study), []
+    for text in options.others:
+        site, mark, folder = text.partition("=")
+        is_site = bool(mark) and not Path(text).exists()
+        other = open_study(folder if is_site else text)
+        found.append(merge_sessions(study, other, site if is_site else ""))
     if options.json:
-        say(json.dumps(asdict(merged)))
-    else:
-        say(f"{len(merged.added)} sessions added, {len(merged.same)} were here already")
-    for notice in merged.notices:
-        say_aside(notice)
-    for conflict in merged.conflicts:
-        complain(conflict)
-    return 1 if merged.conflicts else 0
+        say(json.dumps([{**asdict(one), "site": one.site._asdict()} for one in found]))
+    for one in found:
+        if not options.json:
+            say(_merged_text(one))
+        for notice in one.notices:
+            say_aside(notice)
+        for conflict in one.conflicts:
+            complain(conflict)
+    return 1 if any(one.conflicts for one in found) else 0
+
+
+def _merged_text(one: Merged) -> str:
+    """What came of a site, with its counts, devices and latencies."""
+    of, lead = one.site, f"{one.site.site}: " if one.site.site else ""
+    lines = [
+        f"{lead}{len(one.added)} sessions added, {len(one.same)} were here already"
+    ]
+    if of.sessions:
+        lines.append(
+            f"  {of.complete} complete, {of.simulated} simulated; {of.invalid} of "
+            f"{of.trials} trials not valid"
+        )
+        lines += [f"  {count} trials on {name}" for name, count in of.devices.items()]
+        lines += [
+            f"  {count} sessions by {name}" for name, count in of.programs.items()
+        ]
+    for name, latency in (("video", of.video_ms), ("sound", of.sound_ms)):
+        if latency is not None:
+            middle, worst = latency
+            lines.append(
+                f"  force minus {name}: median {middle:+.1f} ms, worst trial {worst:+.1f} ms"
+            )
+    return "\n".join(lines)
 
 
 def close_session(options: argparse.Namespace) -> int:

@@ -25,6 +25,7 @@ from hapticplayer.study.reviewing import read_reviewed, text_digest
 from hapticplayer.study.score_answers import RatedAnswers, ScoreAnswers, collect_scores
 from hapticplayer.study.scoring import Limits, PageScores, Scoring
 from hapticplayer.study.session_folder import SessionState, StoredSession
+from hapticplayer.study.sites import site_of
 from hapticplayer.study.steps import (
     AnsweredTrial,
     answered_trials,
@@ -147,6 +148,7 @@ class Participant:
         used_device_before: whether the participant had used such a device.
         complete: whether the session was completed.
         simulated: whether the session was simulated.
+        site: where the session took place; empty if that was not said.
         values: answers to the questions before and after the clips and their scores, by
             name.
     """
@@ -158,6 +160,7 @@ class Participant:
     used_device_before: bool | None
     complete: bool = True
     simulated: bool = False
+    site: str = ""
     values: Mapping[str, Any] = field(default_factory=dict)
 
 
@@ -385,6 +388,7 @@ class _SessionAnswers:
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
             complete=self._session.state is SessionState.COMPLETE,
             simulated=is_simulated(self._session),
+            site=site_of(self._session.folder),
             values=Scoring(self._definition, When.BEFORE, When.AFTER).completed(sheet),
         )
 

@@ -1,6 +1,9 @@
 """Merging the sessions of a copy of the study on another machine."""
 
 import shutil
+from collections.abc import Collection, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,9 +12,26 @@ from hapticplayer.errors import StudyError
 from hapticplayer.structures import decode as decode_json
 from hapticplayer.study.definition import read_file
 from hapticplayer.study.journal import MAX_BYTES, decode
-from hapticplayer.study.session_folder import ANSWERS, read_session, sha256
+from hapticplayer.study.plan import parse_plan_file
+from hapticplayer.study.session_folder import (
+    ANSWERS,
+    PLAN,
+    StoredSession,
+    read_session,
+    sha256,
+)
+from hapticplayer.study.sites import (
+    SITE,
+    SiteSummary,
+    refuse_altered,
+    refuse_other_package,
+    site_content,
+    site_summary,
+)
 from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Consent, Study
 from hapticplayer.untrusted import open_regular
+
+_AT_ONCE = 8  # sessions: most of the time the disk is waited for
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,19 +43,26 @@ class Merged:
         same: codes of sessions that were already here.
         conflicts: one sentence for each session that was not merged.
         notices: one sentence for each added session with other clips.
+        site: what the added sessions show.
     """
 
     added: tuple[str, ...]
     same: tuple[str, ...]
     conflicts: tuple[str, ...]
-    notices: tuple[str, ...] = ()
+    notices: tuple[str, ...]
+    site: SiteSummary
 
 
-def merge_sessions(study: Study, other: Study) -> Merged:
+def merge_sessions(study: Study, other: Study, site: str = "") -> Merged:
     """Copy the sessions of another copy of a study into this one.
 
     Existing sessions are not changed; different sessions of one code are a conflict, and
-    so is one that is damaged, which stays where it is.
+    so is one that is damaged, or ran something else than was packed; it stays where it is.
+
+    Args:
+        study: gets the sessions.
+        other: has them.
+        site: name of the place, which is kept with the sessions.
     """
     if other.definition.id != study.definition.id:
         raise StudyError(
@@ -45,67 +72,84 @@ def merge_sessions(study: Study, other: Study) -> Merged:
             found=other.definition.id,
             expected=study.definition.id,
         )
+    refuse_other_package(study, other)
     storage.make_folder(study.folder / SESSIONS)
     storage.make_folder(study.folder / CONSENTS)
-    here = set(study.codes())
-    added: list[str] = []
+    added: list[StoredSession] = []
     same: list[str] = []
     conflicts: list[str] = []
-    for code in other.codes():
-        theirs = other.session_folder(code)
-        with storage.locked(study.folder):
-            is_here = code in study.codes()
-            problem = (
-                _difference(study.session_folder(code), theirs)
-                if is_here
-                else _copy_session(study, other, code)
-            )
-        if problem:
-            conflicts.append(f"{code}: {problem}")
-        else:
-            (same if is_here else added).append(code)
-    notices = _other_clips(study, here, added)
-    return Merged(tuple(added), tuple(same), tuple(conflicts), notices)
-
-
-def _other_clips(study: Study, here: set[str], added: list[str]) -> tuple[str, ...]:
-    """Return which added sessions played other clips than the existing ones."""
-    sessions, _ = study.sessions()
-    known: dict[str, set[str]] = {}
-    for session in sessions:
-        for key, checksum in session.plan.clips.items():
-            if session.code in here:
-                known.setdefault(key, set()).add(checksum)
-    return tuple(
-        f"{session.code}: played another sequence {key!r} than the sessions here"
-        for session in sessions
-        for key, checksum in session.plan.clips.items()
-        if session.code in added and key in known and checksum not in known[key]
+    with storage.locked(study.folder), ThreadPoolExecutor(_AT_ONCE) as pool:
+        here = study.codes()
+        taken, codes = set(here), other.codes()
+        found = pool.map(lambda code: _taken_up(study, other, code, site, taken), codes)
+        for code, one in zip(codes, found, strict=True):
+            if isinstance(one, StoredSession):
+                added.append(one)
+            elif one:
+                conflicts.append(f"{code}: {one}")
+            else:
+                same.append(code)
+    return Merged(
+        tuple(one.code for one in added),
+        tuple(same),
+        tuple(conflicts),
+        tuple(_other_clips(study, here, added)),
+        site_summary(site, added),
     )
 
 
-def _copy_session(study: Study, other: Study, code: str) -> str:
-    """Copy a session that is sound; return why it is left out, or ""."""
-    folder = other.session_folder(code)
+def _taken_up(
+    study: Study, other: Study, code: str, site: str, taken: Collection[str]
+) -> StoredSession | str:
+    """A session that is copied, what is wrong with it, or "" if it is here already."""
+    if code in taken:
+        return _difference(study.session_folder(code), other.session_folder(code))
     try:
-        consent = _consent(other, code)
-        with storage.folder_written_aside(
-            study.session_folder(code), storage.PRIVATE_FOLDER
-        ) as aside:
-            for path in sorted(folder.iterdir()):
-                if path.is_file() and not path.is_symlink():
-                    _copy(path, aside / path.name)
-            _refuse_damaged(aside, study, code)
-            if consent:
-                target = study.folder / CONSENTS / f"{code}.json"
-                storage.replace_file(target, consent, storage.PRIVATE_FILE)
+        return _copied(study, other, code, site)
     except StudyError as problem:
         return f"cannot be read there ({problem})"
-    return ""
 
 
-def _refuse_damaged(copied: Path, study: Study, code: str) -> None:
-    """Raise StudyError for a copy that holds more than this program wrote, or less."""
+def _other_clips(
+    study: Study, here: Sequence[str], added: Sequence[StoredSession]
+) -> Iterator[str]:
+    """Yield which added sessions played other clips than the existing ones."""
+    known: dict[str, set[str]] = {}
+    for code in here if added else ():
+        path = study.session_folder(code) / PLAN
+        with suppress(StudyError):  # a damaged plan is told where sessions are listed
+            for key, checksum in parse_plan_file(read_file(path), code).clips.items():
+                known.setdefault(key, set()).add(checksum)
+    for session in added:
+        for key, checksum in session.plan.clips.items():
+            if key in known and checksum not in known[key]:
+                yield (
+                    f"{session.code}: played another sequence {key!r} than the "
+                    "sessions here"
+                )
+
+
+def _copied(study: Study, other: Study, code: str, site: str) -> StoredSession:
+    """Copy a session that is sound; raise StudyError why it is left out."""
+    folder = other.session_folder(code)
+    consent = _consent(other, code)
+    with storage.folder_written_aside(
+        study.session_folder(code), storage.PRIVATE_FOLDER
+    ) as aside:
+        for path in sorted(folder.iterdir()):
+            if path.is_file() and not path.is_symlink():
+                _copy(path, aside / path.name)
+        if site:
+            storage.replace_file(aside / SITE, site_content(site), storage.PRIVATE_FILE)
+        found = _refuse_damaged(aside, study, code)
+        if consent:
+            target = study.folder / CONSENTS / f"{code}.json"
+            storage.replace_file(target, consent, storage.PRIVATE_FILE)
+    return found
+
+
+def _refuse_damaged(copied: Path, study: Study, code: str) -> StoredSession:
+    """A copied session; StudyError if it holds more than this program wrote, or less."""
     found = read_session(copied, study.content, code)
     if found.plan.study != study.definition.id:
         raise StudyError("it belongs to the study {found}", found=found.plan.study)
@@ -117,6 +161,8 @@ def _refuse_damaged(copied: Path, study: Study, code: str) -> None:
             count=len(found.notices) - found.records.torn,
             first=found.notices[0],
         )
+    refuse_altered(study, found)
+    return found
 
 
 def _consent(other: Study, code: str) -> bytes:

@@ -29,6 +29,7 @@ from hapticplayer.study.sequence_folders import (
     sequence_folder,
 )
 from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.sites import check_package
 from hapticplayer.study.study_folder import Study
 
 NAME = "demonstration"
@@ -56,6 +57,7 @@ class StudySources:
 
 def load_study_sources(study: Study) -> StudySources:
     """Open the sequences of a study and make the tracks of their feedbacks."""
+    check_package(study)
     clips = clip_checksums(study)
     path = str(study.folder / DEFINITION)
     refuse_estimates(study.definition, path, study.folder)

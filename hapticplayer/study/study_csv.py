@@ -248,10 +248,17 @@ def participants(data: StudyData) -> DataTable:
     own = (
         DataColumn("complete", "the session was completed", "true|false"),
         DataColumn("simulated", "simulated participant (not the device)", "true|false"),
+        DataColumn("site", "where the session took place; empty if that was not said"),
     )
     given = answer_columns(data.definition, When.BEFORE, When.AFTER, taken=(_WHO, *own))
     rows = [
-        (p.code, *(one.cell(p.values) for one in given), p.complete, p.simulated)
+        (
+            p.code,
+            *(one.cell(p.values) for one in given),
+            p.complete,
+            p.simulated,
+            p.site,
+        )
         for p in data.answers.participants
     ]
     columns = (_WHO, *(one.column for one in given), *own)

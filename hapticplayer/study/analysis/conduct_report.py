@@ -77,6 +77,8 @@ def people(answers: Answers) -> Iterator[ReportBlock]:
     rows = [("participants", str(len(everyone)))]
     if conduct.sessions:
         rows.append(("completed sessions", f"{conduct.complete} of {conduct.sessions}"))
+    if any(one.site for one in everyone):
+        rows.append(("sites", _counted([one.site or None for one in everyone])))
     rows.append(("age, years", _ages(ages, len(everyone))))
     rows.append(("gender", _counted([p.gender for p in everyone])))
     rows.append(("handedness", _counted([p.handedness for p in everyone])))

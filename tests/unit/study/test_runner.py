@@ -29,7 +29,7 @@ class FakeStage:
         self.ended = False
         self.halts = self.interrupts = 0
         self.is_stopped = False
-        self.reasons = ()
+        self.reasons, self.figures = (), {}
         self.clock, self.first_frame_s = None, None
         self.clip_s = defaultdict(lambda: 10.0)
 
@@ -54,7 +54,7 @@ class FakeStage:
     def played(self, *reasons):
         found = (*reasons, *self.reasons)
         figures = {"frames_shown": 50, "first_frame_mono_s": self.first_frame_s}
-        return PlaybackResult(not found, found, figures)
+        return PlaybackResult(not found, found, {**figures, **self.figures})
 
     def halt(self):
         self.halts += 1
