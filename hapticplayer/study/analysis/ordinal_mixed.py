@@ -10,6 +10,7 @@ as they are: neighbouring steps may be joined (McCullagh 1980).
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import Any
@@ -20,6 +21,7 @@ import scipy
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.cumulative_link import (
     FittedModel,
+    Indices,
     LinkFunction,
     OrderedAnswers,
     fit,
@@ -51,13 +53,16 @@ _NORMAL_95 = float(scipy.stats.norm.isf(0.025))
 FAR = 12.0
 """A latent shift beyond this is no estimate: all answers lie at an end."""
 _LEAST_PEOPLE = 3
-_GROUPS = ("participant x feedback", "participant", "sequence")
+_CELLS = "participant x feedback"
 
 
-def ordered_answers(values: Floats, *, is_item: bool = True) -> OrderedAnswers | None:
+def ordered_answers(
+    values: Floats, *, is_item: bool = True, sites: Sequence[str] = ()
+) -> OrderedAnswers | None:
     """The answers (P, S, F), NaN where missing; None if no model fits them.
 
-    The levels are the steps that were used, or classes where it is no item.
+    The levels are the steps that were used, or classes where it is no item; `sites` are
+    those of the participants, if there are several.
     """
     people, sequences, feedbacks = np.nonzero(~np.isnan(values))
     given = values[people, sequences, feedbacks]
@@ -70,15 +75,24 @@ def ordered_answers(values: Floats, *, is_item: bool = True) -> OrderedAnswers |
     if len(set(people)) < _LEAST_PEOPLE or len(set(feedbacks)) < values.shape[2]:
         return None
     design = (feedbacks[:, None] == np.arange(1, values.shape[2])).astype(np.float64)
-    groups = tuple(
-        np.unique(group, return_inverse=True)[1]
-        for group in (people, sequences)
-        if len(set(group)) > 1
-    )
+    groups = tuple(groups_of(values, sites).values())
     cells = np.unique(people * values.shape[2] + feedbacks, return_inverse=True)[1]
     if cells.max() + 1 < len(cells):  # somebody answered twice to a feedback
         return OrderedAnswers(levels, design, (cells, *groups), nested=2)
     return OrderedAnswers(levels, design, groups)
+
+
+def groups_of(values: Floats, sites: Sequence[str] = ()) -> dict[str, Indices]:
+    """What has a random intercept, by name, for each answer of (P, S, F)."""
+    people, sequences, _ = np.nonzero(~np.isnan(values))
+    by_name = {"participant": people, "sequence": sequences}
+    if sites:
+        by_name["site"] = np.unique(sites, return_inverse=True)[1][people]
+    return {
+        name: np.unique(group, return_inverse=True)[1]
+        for name, group in by_name.items()
+        if len(set(group)) > 1
+    }
 
 
 def compare(sample: Sample, link: LinkFunction) -> Found | None:
@@ -87,10 +101,12 @@ def compare(sample: Sample, link: LinkFunction) -> Found | None:
     `pairs` are differences on the latent scale, second less first; `at_cuts` the same
     from the answers above and below single steps of the scale, with the logit link.
     """
-    answers = ordered_answers(sample.by_condition, is_item=sample.is_item)
+    values, sites = sample.by_condition, sample.sites
+    answers = ordered_answers(values, is_item=sample.is_item, sites=sites)
     if answers is None:
         return None
     full, chi2, p_all = likelihood_ratio(answers, link)
+    names = [*[_CELLS] * (answers.nested - 1), *groups_of(values, sites)]
     shifts = (0.0, *full.effects)
     return {
         "n": len(answers.levels),
@@ -100,9 +116,7 @@ def compare(sample: Sample, link: LinkFunction) -> Found | None:
         "df": len(sample.feedbacks) - 1,
         "p": None,
         "p_all": p_all,
-        "deviations": dict(
-            zip(_GROUPS[-1 - answers.nested :], full.deviations.tolist(), strict=False)
-        ),
+        "deviations": dict(zip(names, full.deviations.tolist(), strict=True)),
         "thresholds": full.thresholds.tolist(),
         "shares": {
             name: level_shares(full, shift, link).tolist()
@@ -186,7 +200,8 @@ def _methods(_found: dict[str, Any]) -> str:
     return (
         "Each measure was analysed by a cumulative-link mixed model (logit link, and again with "
         "probit; McCullagh, 1980) with the feedback as fixed effect, flexible thresholds, and random "
-        "intercepts of participants, of participants with each feedback, and of sequences, fitted by maximum likelihood with "
+        "intercepts of participants, of participants with each feedback, of sequences, and of "
+        "sites if there are several, fitted by maximum likelihood with "
         "Laplace's approximation (as clmm of R's ordinal; Christensen, 2019). The effect of "
         "the feedback was tested by a likelihood ratio, pairs by Wald's z, with 95 % Wald "
         "intervals. Answers to single items entered as ordered steps, not as numbers (Liddell "

@@ -49,6 +49,7 @@ class Scores:
         ranges: least and most of each factor.
         qoe: factors that are summed.
         items: factors that are single questions with steps.
+        sites: of the participants, where sessions of several were merged.
     """
 
     participants: tuple[str, ...]
@@ -62,6 +63,7 @@ class Scores:
     ranges: tuple[tuple[float, float], ...]
     qoe: tuple[str, ...]
     items: tuple[str, ...]
+    sites: tuple[str, ...] = ()
 
     @property
     def measures(self) -> tuple[str, ...]:
@@ -108,6 +110,7 @@ class Sample:
         by_condition: (P, S, F) of all participants, NaN without a usable answer.
         all_participants: codes of all participants.
         is_item: whether it is a single question with steps.
+        sites: of all participants; empty if there is one.
     """
 
     measure: str
@@ -120,6 +123,7 @@ class Sample:
     by_condition: Floats
     all_participants: tuple[str, ...]
     is_item: bool = True
+    sites: tuple[str, ...] = ()
 
     def each_pair(
         self, compare: Callable[[list[tuple[int, int]]], list[dict[str, Any]]]
@@ -176,7 +180,9 @@ def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:
     qoe = answers.factors if answers.qoe is None else answers.qoe
     items = answers.factors if answers.items is None else answers.items
     counts = invalid, answers.repeated
-    return Scores(*axes, ratings, known, *counts, limits, qoe, items)
+    sites = tuple(person.site for person in answers.participants)
+    sites = sites if len(set(sites)) > 1 else ()
+    return Scores(*axes, ratings, known, *counts, limits, qoe, items, sites)
 
 
 def sample_of(
@@ -205,6 +211,7 @@ def sample_of(
         by_condition=values,
         all_participants=scores.participants,
         is_item=measure in scores.items,
+        sites=scores.sites,
     )
 
 

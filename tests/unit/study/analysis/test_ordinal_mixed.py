@@ -11,7 +11,11 @@ from hapticplayer.study.analysis.cumulative_link import (
     OrderedAnswers,
     fit,
 )
-from hapticplayer.study.analysis.ordinal_mixed import compare, ordered_answers
+from hapticplayer.study.analysis.ordinal_mixed import (
+    compare,
+    groups_of,
+    ordered_answers,
+)
 from hapticplayer.study.analysis.scores import Sample
 
 _BITTERNESS = (
@@ -199,3 +203,22 @@ def test_answers_at_the_end_of_the_scale_have_no_estimate() -> None:
 def test_answers_that_no_model_fits_have_no_result(values: np.ndarray) -> None:
     assert ordered_answers(values) is None
     assert compare(_sample(values), LinkFunction.LOGIT) is None
+
+
+def test_sites_have_intercepts_as_in_clmm():
+    """Golden numbers: clmm(y ~ fb + (1|p:fb) + (1|p) + (1|s) + (1|site)) of R's ordinal."""
+    rng = np.random.default_rng(8)
+    people, sequences, feedbacks, count = 48, 4, 3, 6
+    of = np.repeat(np.arange(count), people // count)
+    latent = rng.logistic(size=(people, sequences, feedbacks))
+    latent += 0.8 * rng.normal(size=(people, 1, 1))
+    latent += 0.5 * rng.normal(size=(sequences, 1))
+    latent += (0.9 * rng.normal(size=count))[of][:, None, None] + [0.0, 0.4, 1.1]
+    values = 1.0 + np.searchsorted((-2.0, -0.7, 0.7, 2.0), latent)
+    sites = [f"s{one}" for one in of]
+    found = fit(ordered_answers(values, sites=sites), LinkFunction.LOGIT)
+    names = list(groups_of(values, sites))
+    assert names == ["participant", "sequence", "site"]
+    assert found.effects == pytest.approx([0.036329, 0.836106], abs=1e-4)
+    assert found.errors == pytest.approx([0.187912, 0.192414], abs=1e-4)
+    assert found.deviations == pytest.approx([0.0, 0.74765, 0.75161, 0.64084], abs=1e-4)
