@@ -288,11 +288,12 @@ def _locked_scratch(home: Path) -> tuple[Path, int]:
     _remove_abandoned(home)
     while True:
         scratch = Path(tempfile.mkdtemp(_SCRATCH_END, _SCRATCH_BEGIN, home))
-        lock = os.open(scratch, os.O_RDONLY | os.O_DIRECTORY)
-        _try_lock(lock)
-        if scratch.exists():  # nobody took it for abandoned before it was locked
-            return scratch, lock
-        os.close(lock)
+        # somebody may take it for abandoned before it is locked
+        with contextlib.suppress(FileNotFoundError):
+            lock = os.open(scratch, os.O_RDONLY | os.O_DIRECTORY)
+            if _try_lock(lock) and scratch.exists():
+                return scratch, lock
+            os.close(lock)
 
 
 def _remove_abandoned(home: Path) -> None:

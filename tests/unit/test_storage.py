@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -129,3 +130,14 @@ def test_names_that_cannot_be_are_refused_with_what_can(tmp_path):
     ):
         with pytest.raises(storage.StorageError, match=remedy):
             storage.replace_file(tmp_path / place, b"")
+
+
+def test_folders_written_at_once_take_none_from_each_other(tmp_path):
+    def write(number):
+        with storage.folder_written_aside(tmp_path / f"{number}") as aside:
+            (aside / "file").write_text(f"{number}", encoding="utf-8")
+
+    with ThreadPoolExecutor(8) as pool:
+        list(pool.map(write, range(150)))
+    found = {int(one.parent.name): one.read_text() for one in tmp_path.glob("*/file")}
+    assert found == {number: f"{number}" for number in range(150)}
