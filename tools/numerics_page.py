@@ -54,7 +54,7 @@ interleaved rounds.
 
 ## Gravity: short clips
 
-`python -m benchmarks.motion short_clips`, {short_clips_date}: {short_clips_targets}. Clips of three lengths, both rates,
+`python -m benchmarks.motion short_clips --clips 3`, {short_clips_date}: {short_clips_targets}. Clips of three lengths, both rates,
 alone and with a flaw put on the sensor: largest error of offlineVQF's on the same samples (least share
 within 2 sigma). Last, the shortest ones out of the whole log, and with the calibration of its other half.
 
