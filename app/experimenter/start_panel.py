@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QFormLayout,
+    QLineEdit,
     QSpinBox,
     QWidget,
 )
@@ -113,6 +114,11 @@ class StartPanel(QWidget):
         set_role(self.start, "primary")
         self.start.clicked.connect(self.started)
         self.outputs = SessionOutputs()
+        self.sensor = QLineEdit()
+        self.sensor.setAccessibleName(self.tr("Motion sensor of the demonstration"))
+        self.sensor.setPlaceholderText(
+            self.tr("none; or what you move is felt, such as wt901:/dev/ttyUSB0")
+        )
         self.checks, self.balance = paragraph(), paragraph()
         self.one_screen = paragraph("", theme.DIM)
         self.one_screen.hide()
@@ -127,6 +133,7 @@ class StartPanel(QWidget):
         sound = (self.volume, self.hear, self.sound)
         form.addRow(self.tr("Sound"), row_of(*sound, STRETCH, spacing=10))
         form.addRow(self.tr("Devices"), self.outputs)
+        form.addRow(self.tr("Demonstration"), self.sensor)
         form.addRow(self.tr("Checks"), self.checks)
         form.addRow(self.tr("Balance so far"), self.balance)
         form.setHorizontalSpacing(14)

@@ -16,6 +16,7 @@ from app.bridge.collector import Collector
 from app.bridge.errors import ErrorGateway
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.interrupts import closing_on_signals
+from app.bridge.languages import translated
 from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings, default_path, latencies_of, screen_name
 from app.experimenter.session_control import Mirror, SessionControl
@@ -30,6 +31,7 @@ from app.player.controls import OUTPUT
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import is_seen
+from app.widgets.texts import capitalised
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.player import Player
@@ -57,6 +59,7 @@ from hapticplayer.study.ticks import next_record
 
 if TYPE_CHECKING:
     from app.participant.rating_axes import RatingAxes
+    from hapticplayer.capture.live.source import OpenedSource
     from hapticplayer.playback.chime import Chime
 
 PRIVATE = 0o077  # umask: the records of the device belong to the participant too
@@ -81,6 +84,7 @@ class StudySession:
     ) -> None:
         self.study, self.study_sources, self.outputs = study, study_sources, outputs
         self.runner: SessionRunner | None = None
+        self.sensor: OpenedSource | None = None
         self._clock, self._observer = clock, observer
         self._audio = audio
         self._axes: RatingAxes | None = None
@@ -238,6 +242,7 @@ class StudySession:
         """
         checks = self.current_checks()
         self._prepare_ratings()
+        self._open_sensor(self.start_panel.sensor.text().strip())
         if code:
             session = self.study.session(code)
             check_unchanged(session, self.study_sources)
@@ -252,7 +257,8 @@ class StudySession:
         self.player.wait_ready()
         name = record.name if record else ""
         stage = make_stage(
-            self.study, self.study_sources, self.player, self._clock, name
+            *(self.study, self.study_sources, self.player, self._clock, name),
+            self.sensor,
         )
         stage.opening = self._on_opening
         self.runner = SessionRunner(
@@ -260,6 +266,8 @@ class StudySession:
         )
         is_good = all(check.is_good for check in checks)
         self.runner.store_checks(checks_as_json(checks), overridden=not is_good)
+        if self.sensor is not None:
+            self.runner.note(f"demonstration by the sensor {self.sensor.text}")
         self.participant.follow(self.runner)
         if not self.participant.isVisible():
             self._show_participant()
@@ -283,6 +291,16 @@ class StudySession:
                 self._chime = Chime(self._audio, self.start_panel.volume.value() / 100)
                 self.participant.strip.asked.connect(self._chime.play)
 
+    def _open_sensor(self, name: str) -> None:
+        """Open the sensor of the demonstration; what it asks, `record` has to know."""
+        if self.sensor is not None:
+            self.sensor.close()
+            self.sensor = None
+        if name:
+            from hapticplayer.capture.live.source import open_source
+
+            self.sensor = open_source(name, self._clock)
+
     def _on_opening(self, source: Source) -> None:
         self.surface.set_clip_size(source.clip.width, source.clip.height)
         self.control.plots.set_source(source)
@@ -298,6 +316,7 @@ class StudySession:
             self._tell_force()
             self.participant.refresh()
             self.control.refresh()
+            self._say_of_sensor()
             page = self.runner.page.kind if self.runner is not None else None
             self.control.mirror.follow(now_s, is_clip=page is PageKind.PLAYING)
             if self.runner is not None and is_seen(self.control.plots):
@@ -309,6 +328,15 @@ class StudySession:
             )
             if self.runner is None:
                 self.start_panel.show_checks(self.current_checks())
+
+    def _say_of_sensor(self) -> None:
+        """Show the operator what to do with it."""
+        if self.sensor is not None and self.runner is not None:
+            from hapticplayer.study.felt_demonstration import FeltStage
+
+            stage = self.runner.stage
+            if isinstance(stage, FeltStage) and stage.said:
+                self.control.played.setText(capitalised(translated(stage.said)))
 
     def _tell_force(self) -> None:
         """Hand the forces since the last call to the observer."""
@@ -336,7 +364,11 @@ class StudySession:
         for report in self.control.findChildren(QMainWindow):
             report.close()
         self.pump.stop()
+        if self.runner is not None:
+            self.runner.stage.interrupt()
         self.player.close()
+        if self.sensor is not None:
+            self.sensor.close()
         self._tell_force()  # those since the last call
         if self.runner is not None:
             self.runner.close()

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +32,9 @@ from hapticplayer.study.sequence_folders import (
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.sites import check_package
 from hapticplayer.study.study_folder import Study
+
+if TYPE_CHECKING:
+    from hapticplayer.capture.live.source import OpenedSource
 
 NAME = "demonstration"
 RATE_HZ, WIDTH, HEIGHT = 25, 640, 360
@@ -148,11 +152,22 @@ def check_unchanged(session: StoredSession, study_sources: StudySources) -> None
 
 
 def make_stage(
-    study: Study, study_sources: StudySources, player: Player, clock: Clock, record: str
+    study: Study,
+    study_sources: StudySources,
+    player: Player,
+    clock: Clock,
+    record: str,
+    sensor: "OpenedSource | None" = None,
 ) -> PlayerStage:
+    """A stage for a session, whose demonstration a sensor gives if there is one."""
     rules = (study.definition.limits, study.definition.checks)
     sources, demonstration = study_sources.sources, study_sources.demonstration
-    return PlayerStage(player, sources, demonstration, rules, clock, record)
+    parts = (player, sources, demonstration, rules, clock, record)
+    if sensor is None:
+        return PlayerStage(*parts)
+    from hapticplayer.study.felt_demonstration import FeltStage
+
+    return FeltStage(*parts, sensor=sensor)
 
 
 def demonstration_source() -> Source:

@@ -8,10 +8,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 from sitting import Person
+from still_recorder import silent_source
 
 from app.experimenter.start_panel import StartPanel
 from app.participant.application import StudySession
+from hapticplayer.capture.live import source as live
 from hapticplayer.clock import SystemClock
+from hapticplayer.study.felt_demonstration import FeltStage
 from hapticplayer.study.preflight import run_checks, volume_in_checks
 from hapticplayer.study.session_setup import load_study_sources
 from tests.conftest import clip_of
@@ -158,3 +161,44 @@ def test_devices_chosen_on_the_panel_are_played_on(make_study, application, wait
 def test_the_first_participant_has_no_balance_yet(panel, make_study):
     panel.show_balance(make_study().balance())
     assert panel.balance.text() == "this is the first participant"
+
+
+def test_the_sensor_of_the_demonstration_is_opened_and_noted(
+    make_study, application, monkeypatch
+):
+    opened = silent_source()
+    opened.closed = []
+    opened.close = lambda: opened.closed.append(True)
+    monkeypatch.setattr(live, "open_source", lambda _name, _clock: opened)
+    study = make_study()
+    session = StudySession(
+        study, load_study_sources(study), (), SystemClock(), audio=None
+    )
+    try:
+        session.show(windowed=True)
+        session.start_panel.sensor.setText("csv:-")
+        session.begin_session("", "en")
+        assert isinstance(session.runner.stage, FeltStage)
+        records = study.session(session.runner.plan.code).records.intact
+        note = next(one for one in records if one.kind == "note")
+        assert note.content["text"] == "demonstration by the sensor csv:-"
+    finally:
+        session.close()
+    assert opened.closed
+
+
+def test_a_sensor_that_is_not_there_is_shown_and_starts_nothing(
+    make_study, application
+):
+    study = make_study()
+    session = StudySession(
+        study, load_study_sources(study), (), SystemClock(), audio=None
+    )
+    try:
+        session.show(windowed=True)
+        session.start_panel.sensor.setText("wt901:/dev/nowhere")
+        session.begin()
+        assert "/dev/nowhere" in session.control.messages.text()
+        assert session.runner is None
+    finally:
+        session.close()

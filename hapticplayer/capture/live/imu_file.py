@@ -10,12 +10,12 @@ from hapticplayer.capture.live.source import (
     LiveSource,
     OpenedSource,
     Samples,
-    SourceLost,
 )
 from hapticplayer.capture.live.source_clock import SourceClock
 from hapticplayer.capture.mounting import AS_RECORDED
 from hapticplayer.capture.recorded import COLUMNS, SourceClockLine
 from hapticplayer.clock import Clock
+from hapticplayer.errors import HapticPlayerError
 from hapticplayer.model.arrays import Floats
 
 SHOWN_S = 10.0
@@ -46,7 +46,7 @@ class ImuFile:
             self._axes = source.declares.axes
             self.stamped_by = "source" if source.row.has_stamps else "count"
         self._stretches: list[tuple[float, SourceClock]] = []
-        self._lost: SourceLost | None = None
+        self._lost: HapticPlayerError | None = None
         self._file = path.open("xb")
         self._file.write((",".join(COLUMNS) + "\n").encode())
         self._origin_s: float | None = None
@@ -66,7 +66,7 @@ class ImuFile:
         try:
             while (left_s := until_s - clock.now_s()) > 0.0:
                 parts.append(self._source.read(left_s))
-        except SourceLost as problem:
+        except HapticPlayerError as problem:  # also of a pipe that ends
             self._lost = problem
         return self._take([part for part in parts if len(part.stamp_s)])
 

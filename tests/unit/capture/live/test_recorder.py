@@ -209,3 +209,27 @@ def test_a_folder_that_exists_is_kept(make, tmp_path):
     (tmp_path / "take").mkdir()
     with pytest.raises(HapticPlayerError, match="exists"):
         make(recording.camera())
+
+
+def test_what_a_pipe_sends_at_its_end_is_recorded(tmp_path):
+    class Pipe:
+        def __init__(self):
+            self.has_sent = False
+
+        def read(self, _timeout_s):
+            if self.has_sent:
+                raise InputError("has ended", where="standard input")
+            self.has_sent = True
+            return Samples.of([(1.0, 0.01 * k, 0, 0, 9.8, 0, 0, 0) for k in range(50)])
+
+        def close(self):
+            """Nothing is held."""
+
+    row = SourceRow("csv", Message("Lines"), "-")
+    source = OpenedSource("csv:-", row, Pipe(), LogChoices())
+    recorder = Recorder(tmp_path / "take", None, None, source, SystemClock())
+    recorder.start()
+    wait_until(recorder, told("has ended"))
+    recorder.stop()
+    assert read_take(tmp_path / "take").imu.count == 50
+    assert len((tmp_path / "take" / LOG).read_text().splitlines()) == 51
