@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMessageBox, QStackedWidget, QWidget
 
 from app.bridge.jobs import Jobs, in_child
 from app.bridge.languages import translated
+from app.bridge.pump import Cadence
 from app.bridge.settings import Settings
 from app.experimenter.import_files import LogQuestionBox
 from app.experimenter.record_choice import ChoiceForm, Chosen, Found, plugged_in
@@ -41,6 +42,9 @@ from hapticplayer.sequence.take_overview import TakeOverview, overview_of
 WIDTH_PX, HEIGHT_PX = 940, 640
 CHOOSING, TAKE = range(2)
 PREVIEW_S = 60.0
+FELT_HZ = 6.0
+"""Drawn while it is felt: the sensor's thread waits for the interpreter meanwhile."""
+
 _NAME = "yyyy-MM-dd HH.mm.ss"
 
 
@@ -68,7 +72,7 @@ class RecordPage(JobDialog):
         self._answers: list[str] = []
         self._asked: Message | None = None
         self._allowed: list[Message] = []
-        self._looking = Jobs(self.on_failed)
+        self._looking, self._drawing = Jobs(self.on_failed), Cadence(FELT_HZ)
         self.form, self.live = ChoiceForm(settings), LivePane()
         self.take = TakeView(setup.clock, setup.make_player)
         self.feeling = FeelNow(setup, self)
@@ -315,7 +319,8 @@ class RecordPage(JobDialog):
         super().poll()
         self._looking.poll()
         self.progress.show_state(self.jobs.state())
-        self._follow()
+        if self.feeling.feel is None or self._drawing.is_due(self._clock.now_s()):
+            self._follow()
         if was_busy and not self.jobs.is_busy:
             self.show_buttons()
 

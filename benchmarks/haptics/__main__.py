@@ -17,6 +17,7 @@ PLACES = {
     "events": "haptics.events",
     "shaker": "haptics.shaker",
     "feel": "haptics.feel",
+    "feel_window": "haptics.feel:window",
     "sound_layer": "haptics.sound_layer",
 }
 sys.exit(command("haptics", __doc__, PLACES))

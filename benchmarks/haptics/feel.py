@@ -1,7 +1,8 @@
 """From a sample on the wire to the force on the device, measured from outside.
 
 A board on a pseudo-terminal sends WT901 frames; every half second its acceleration steps
-by half a g. The command `feel` reads it; the simulated Falcon keeps what reached it, on the
+by half a g. The command `feel` reads it, or (`feel_window`) the recorder of the window,
+which films FFmpeg's test source meanwhile; the simulated Falcon keeps what reached it, on the
 same clock. A step counts from the return of the write of its sample until the device has
 90 % of the force. A process that only reads a second pseudo-terminal is the reference: so
 much is the machine's.
@@ -20,6 +21,7 @@ import tty
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +30,12 @@ from benchmarks.common import ROOT, Report
 from tests.material.plant_record import read_record
 from tools.witness import machine_witness
 
+if TYPE_CHECKING:
+    from app.player.video_surface import SurfaceSink
+    from hapticplayer.clock import Clock
+
 MOST_MS = 15.0
+FILM = "lavfi:testsrc2=size=640x360:rate=30"
 RATES_HZ = (200.0, 100.0)
 STEP_G, STEP_S, FULL = 0.5, 0.5, 0.9
 BEGINS_S, REST_S = 40.0, 5.0  # at most until it is felt; at rest before the first step
@@ -42,15 +49,29 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seconds", type=float, help="of steps (60, quick: 15)")
 
 
+window_options = options
+
+
 def run(options: argparse.Namespace, report: Report) -> None:
     """Measure each rate."""
+    _run(options, report, "feel")
+
+
+def window(options: argparse.Namespace, report: Report) -> None:
+    """From a sample to the force, felt by the recorder in the window while it films."""
+    _run(options, report, "window")
+
+
+def _run(options: argparse.Namespace, report: Report, host: str) -> None:
     seconds = options.seconds or (15.0 if options.quick else 60.0)
     rows = []
     with machine_witness() as witness, contextlib.suppress(PermissionError):
-        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(_PRIORITY))
+        os.sched_setscheduler(
+            0, os.SCHED_FIFO | os.SCHED_RESET_ON_FORK, os.sched_param(_PRIORITY)
+        )
         for rate_hz in RATES_HZ[:1] if options.quick else RATES_HZ:
-            for what, late_ms in measured(rate_hz, seconds).items():
-                p50, p95 = np.percentile(late_ms, (50, 95)).tolist()
+            for what, late_ms in measured(rate_hz, seconds, host).items():
+                p50, p95 = np.percentile(late_ms, (50, 95), method="higher").tolist()
                 rows.append(
                     [f"{rate_hz:g} Hz", what, len(late_ms), p50, p95, late_ms.max()]
                 )
@@ -66,14 +87,14 @@ def run(options: argparse.Namespace, report: Report) -> None:
 REFERENCE = "it is read"
 
 
-def measured(rate_hz: float, seconds: float) -> dict[str, Floats]:
+def measured(rate_hz: float, seconds: float, host: str) -> dict[str, Floats]:
     """How long after each step it was felt, and read, ms."""
     record = os.memfd_create("feel")
     with TemporaryDirectory() as folder, _terminal() as felt, _terminal() as read:
         command = [sys.executable, "-m", __spec__.name]
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "cwd": ROOT}
         environment = {**os.environ, "XDG_CONFIG_HOME": folder}
-        feel = subprocess.Popen([*command, "feel", felt.path, str(record)],
+        feel = subprocess.Popen([*command, host, felt.path, str(record)],
                                 pass_fds=(record,), env=environment, **quiet)  # fmt: skip
         times = Path(folder) / "times"
         reader = subprocess.Popen([*command, "read", read.path, str(times)], **quiet)
@@ -188,6 +209,45 @@ def feel(path: str, record: str) -> int:
     return cli.main(["feel", "--imu", f"wt901:{path},baud=921600"])
 
 
+def window_that_feels(path: str, record: str) -> int:
+    """The button of the recorder, in a window that plays nothing beside it."""
+    from PySide6.QtCore import QTimer
+
+    from app.bridge.settings import RECORD
+    from app.experimenter.record_feel import FeelSetup
+    from app.experimenter.record_page import RecordPage
+    from benchmarks.window import open_window, with_device_options
+    from hapticplayer.model import Mapping
+    from hapticplayer.playback.player import Player
+
+    device = ("--hand", "firm", "--record", record)
+    make = with_device_options(*device, descriptors=[int(record)])
+    opened = open_window(None)
+    opened.player.set_outputs([])
+    takes = Path(os.environ["XDG_CONFIG_HOME"], "takes")
+    chosen = {"camera": FILM, "sensor": "wt901", "place": f"{path},baud=921600"}
+    opened.window.settings.keep(RECORD, {**chosen, "folder": str(takes)})
+
+    def player(clock: "Clock", sink: "SurfaceSink", output: str) -> Player:
+        return Player(clock, sink, outputs=[output], audio=None, haptics=make)
+
+    latch = opened.player.latch
+    setup = FeelSetup(opened.clock, "simulated", Mapping(), player, latch)
+    page = RecordPage(opened.window.settings, setup, opened.window)
+    page.show()
+    page.record()
+    timer = QTimer(page, interval=100)
+
+    def begin() -> None:
+        if page.recorder is not None and page.recorder.snapshot().samples:
+            timer.stop()
+            page.feeling.button.click()
+
+    timer.timeout.connect(begin)
+    timer.start()
+    return opened.application.exec()
+
+
 def read(path: str, times: str) -> int:
     """Note when a sample came that differs from the one before."""
     port, before = os.open(path, os.O_RDONLY | os.O_NOCTTY), b""
@@ -202,4 +262,6 @@ def read(path: str, times: str) -> int:
 
 if __name__ == "__main__":
     name, *arguments = sys.argv[1:]
-    sys.exit({"feel": feel, "read": read}[name](*arguments))
+    sys.exit(
+        {"feel": feel, "window": window_that_feels, "read": read}[name](*arguments)
+    )

@@ -322,7 +322,7 @@ def test_a_camera_that_cannot_be_opened_is_reported(make_page, wait_for):
     assert page.start.isEnabled()
 
 
-def test_the_sensor_is_felt_stopped_and_armed_again(make_page, wait_for):
+def test_the_sensor_is_felt_stopped_and_armed_again(make_page, wait_for, monkeypatch):
     page = make_page(gives(StillRecorder()), device="simulated")
     page.record()
     wait_for(lambda: page.recorder is not None)
@@ -341,6 +341,11 @@ def test_the_sensor_is_felt_stopped_and_armed_again(make_page, wait_for):
 
     wait_for(feed_at_rest)
     assert feeling.button.text() == "STOP"
+    drawn = []
+    monkeypatch.setattr(page.live, "show_state", lambda *_state: drawn.append(1))
+    for _ in range(20):
+        page.poll()
+    assert len(drawn) <= 3  # drawing would hold up the sensor's thread
     page.reject()  # as Escape does
     assert (feeling.feel, source.listener) == (None, None)
     assert player.snapshot().leading.mode is Mode.TRIPPED
