@@ -1,8 +1,7 @@
 """Make the demo that ships, resources/demo.mkv: `python -m tools.demo [FILE]`.
 
 The scene `tour` of the simulator, imported and packed with its motion. The same encoder
-gives the same bytes but for the random identifiers of the file and their checksums (111
-bytes); another one gives the same ride. Takes a minute.
+gives the same bytes, another one the same ride. Takes a minute.
 """
 
 import sys

@@ -28,7 +28,11 @@ from hapticplayer.model.limits import MAX_AHEAD_PACKETS
 
 MATROSKA, MP4 = "matroska", "mp4"
 _OPTIONS = {
-    MATROSKA: {"cluster_time_limit": "2000", "cues_to_front": "1"},
+    MATROSKA: {
+        "cluster_time_limit": "2000",
+        "cues_to_front": "1",
+        "fflags": "+bitexact",  # no random identifiers: the same bytes each time
+    },
     MP4: {"movflags": "+faststart+use_metadata_tags"},
 }
 """The index comes first: a player of a web server's file need not leap to the end."""

@@ -117,6 +117,14 @@ def test_attachments_and_metadata_are_written(clip: Path, tmp_path: Path) -> Non
     assert not probe(clip).names_force
 
 
+def test_the_same_parts_are_the_same_bytes(clip: Path, tmp_path: Path) -> None:
+    made = [tmp_path / "a.mkv", tmp_path / "b.mkv"]
+    attached = (Attachment("a.npz", "application/octet-stream", b"force"),)
+    for one in made:
+        remux(clip, one, MATROSKA, Additions(attached=attached))
+    assert made[0].read_bytes() == made[1].read_bytes()
+
+
 def test_one_changed_byte_changes_the_checksum(clip: Path, tmp_path: Path) -> None:
     content = bytearray(clip.read_bytes())
     content[content.index(b"mdat") + 500] ^= 1
