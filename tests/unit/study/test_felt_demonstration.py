@@ -95,7 +95,7 @@ def is_felt(stage):
     return bool(np.abs(force_n(stage)).max() > 1e-6)
 
 
-def test_what_the_sensor_measures_is_felt_until_it_ends(stage):
+def test_a_sensor_is_felt_until_the_demonstration_ends(stage):
     assert "lay the sensor down" in stage.said
     poll_until(stage, lambda: force_n(stage)[1] > 0.5 * 0.4 * LIFT_MPS2)
     assert "grip follows" in stage.said

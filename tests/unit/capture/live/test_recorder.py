@@ -211,7 +211,7 @@ def test_a_folder_that_exists_is_kept(make, tmp_path):
         make(recording.camera())
 
 
-def test_what_a_pipe_sends_at_its_end_is_recorded(tmp_path):
+def test_the_last_samples_of_a_pipe_are_recorded(tmp_path):
     class Pipe:
         def __init__(self):
             self.has_sent = False
