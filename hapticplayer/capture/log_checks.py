@@ -33,6 +33,8 @@ _STATIONARY_MPS2 = 0.25
 _STATIONARY_RADPS = 0.15
 _MIN_STATIONARY_WINDOWS = 4
 _FAST_SHARE = 0.001
+# A car that brakes evenly for half a second seems at rest, with a larger norm.
+_AT_REST_PERCENT, _SPEEDING_UP = 10.0, 1.03
 
 
 def figures(imu: ImuLog, raw: RawLog) -> dict[str, Any]:
@@ -67,7 +69,9 @@ def norm_at_rest(imu: ImuLog) -> float | None:
     )
     if np.count_nonzero(stationary) < _MIN_STATIONARY_WINDOWS:
         return None
-    return float(np.median(np.linalg.norm(blocks[stationary].mean(axis=1), axis=1)))
+    norm = np.linalg.norm(blocks[stationary].mean(axis=1), axis=1)
+    least = np.percentile(norm, _AT_REST_PERCENT, method="lower")
+    return float(np.median(norm[norm <= _SPEEDING_UP * least]))
 
 
 def check_norm(

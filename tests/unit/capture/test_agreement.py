@@ -11,7 +11,9 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.agreement import ask_about_agreement
 from hapticplayer.capture.choices import LogQuestion, parse_choices
+from hapticplayer.capture.log_checks import norm_at_rest
 from hapticplayer.errors import InputError, UsageError
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import ImuLog
 from tests.faults.import_formats import FORMATS, put
 from tests.faults.import_signal import Sampled, sample
@@ -386,3 +388,11 @@ def test_a_logger_that_swapped_its_columns_is_mended():
     found = read_recording(path, parse_choices(["swapped=accel,rate"]))
     norm = np.linalg.norm(found.imu.specific_force_mps2[:250], axis=1)
     assert norm.mean() == pytest.approx(9.81, abs=0.05)
+
+
+def test_a_car_that_brakes_evenly_is_not_at_rest():
+    """It shows 1.2 g for as long as it stands still at a light."""
+    imu = simulate_motion("car-hard", 6, sensor="paper-board").imu
+    begin = int(np.searchsorted(imu.time_s, imu.time_s[0] + 20.0))
+    piece = imu.part(slice(begin, begin + 600))
+    assert norm_at_rest(piece) == pytest.approx(9.98, abs=0.05)
