@@ -562,6 +562,10 @@
         <translation>Kamera</translation>
     </message>
     <message>
+        <source>Size and rate of the camera</source>
+        <translation>Größe und Bildrate der Kamera</translation>
+    </message>
+    <message>
         <source>Microphone</source>
         <translation>Mikrofon</translation>
     </message>
@@ -594,6 +598,10 @@
         <translation>&amp;Kamera</translation>
     </message>
     <message>
+        <source>Si&amp;ze and rate</source>
+        <translation>&amp;Größe und Bildrate</translation>
+    </message>
+    <message>
         <source>M&amp;icrophone</source>
         <translation>M&amp;ikrofon</translation>
     </message>
@@ -608,6 +616,14 @@
     <message>
         <source>None</source>
         <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>As the camera offers</source>
+        <translation>Wie die Kamera es anbietet</translation>
+    </message>
+    <message>
+        <source>{width} × {height}, {rate} fps</source>
+        <translation>{width} × {height}, {rate} Bilder/s</translation>
     </message>
     <message>
         <source>No camera was found: plug one in, and press Look again.</source>
@@ -758,8 +774,24 @@
         <translation>Stufe (Verzögerung und Verstärkung)</translation>
     </message>
     <message>
+        <source>Each of them is compared with</source>
+        <translation>Jede davon wird verglichen mit</translation>
+    </message>
+    <message>
+        <source>The standard</source>
+        <translation>Der Standard</translation>
+    </message>
+    <message>
+        <source>Staircase</source>
+        <translation>Treppenverfahren</translation>
+    </message>
+    <message>
         <source>Each of them at these levels</source>
         <translation>Jede davon mit diesen Stufen</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
     </message>
     <message>
         <source>Delay of the force</source>
@@ -784,6 +816,42 @@
     <message>
         <source>Each sequence is played under each condition. Sessions that have begun keep theirs.</source>
         <translation>Jede Sequenz wird unter jeder Bedingung gespielt. Begonnene Sitzungen behalten ihre.</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Was sich ändert</translation>
+    </message>
+    <message>
+        <source>2-down 1-up</source>
+        <translation>2-down 1-up</translation>
+    </message>
+    <message>
+        <source>3-down 1-up</source>
+        <translation>3-down 1-up</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>First change</source>
+        <translation>Erste Änderung</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Trials of each</source>
+        <translation>Durchgänge von jeder</translation>
     </message>
     <message>
         <source>Name in the data</source>
@@ -854,6 +922,41 @@
     <message>
         <source>Loop from {a} to {b}</source>
         <translation>Schleife von {a} bis {b}</translation>
+    </message>
+</context>
+<context>
+    <name>DemoEnd</name>
+    <message>
+        <source>End of the demo</source>
+        <translation>Ende der Demo</translation>
+    </message>
+    <message>
+        <source>That was the demo. What next?</source>
+        <translation>Das war die Demo. Wie geht es weiter?</translation>
+    </message>
+    <message>
+        <source>Play again</source>
+        <translation>Noch einmal abspielen</translation>
+    </message>
+    <message>
+        <source>Play the demo from its beginning</source>
+        <translation>Die Demo von vorn abspielen</translation>
+    </message>
+    <message>
+        <source>Import your own…</source>
+        <translation>Eigenes importieren…</translation>
+    </message>
+    <message>
+        <source>Create a sequence from a video and its motion data</source>
+        <translation>Eine Sequenz aus einem Video und seinen Bewegungsdaten erzeugen</translation>
+    </message>
+    <message>
+        <source>Choose a device…</source>
+        <translation>Gerät wählen…</translation>
+    </message>
+    <message>
+        <source>The haptic device to use; the simulated one needs no hardware</source>
+        <translation>Das haptische Gerät; das simulierte braucht keine Hardware</translation>
     </message>
 </context>
 <context>
@@ -1921,6 +2024,18 @@
         <translation>Marker und Kraft an andere Programme auf diesem Rechner senden (LSL)</translation>
     </message>
     <message>
+        <source>Record each session with LabRecorder</source>
+        <translation>Jede Sitzung mit LabRecorder aufzeichnen</translation>
+    </message>
+    <message>
+        <source>LSL streams that each trial needs</source>
+        <translation>LSL-Ströme, die jeder Durchgang braucht</translation>
+    </message>
+    <message>
+        <source>Least time between two clips</source>
+        <translation>Mindestzeit zwischen zwei Clips</translation>
+    </message>
+    <message>
         <source>Free disk space</source>
         <translation>Freier Speicherplatz</translation>
     </message>
@@ -1965,8 +2080,16 @@
         <translation>Bedingungen werden anhand von Antworten verglichen</translation>
     </message>
     <message>
-        <source>when force and video feel consistent</source>
-        <translation>wann Kraft und Video zusammenpassen</translation>
+        <source>yes or no to each level of the force</source>
+        <translation>ja oder nein zu jeder Stufe der Kraft</translation>
+    </message>
+    <message>
+        <source>which of two clips (forced choice)</source>
+        <translation>welcher von zwei Clips (Zwangswahl)</translation>
+    </message>
+    <message>
+        <source>a number for each level of the force</source>
+        <translation>eine Zahl für jede Stufe der Kraft</translation>
     </message>
     <message>
         <source>Kept as they are: the template ({template}), what the trials are for ({trial}), and the identifier by which sessions belong to the study ({id}).</source>
@@ -4365,6 +4488,121 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>RatingList</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a rating while a clip plays</source>
+        <translation>Bewertung während eines Clips hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ratings while a clip plays</source>
+        <translation>Bewertungen während eines Clips</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Schieberegler</translation>
+    </message>
+    <message>
+        <source>Number every so often</source>
+        <translation>Zahl in Abständen</translation>
+    </message>
+    <message>
+        <source>Key that is held</source>
+        <translation>Gehaltene Taste</translation>
+    </message>
+    <message>
+        <source>(no wording yet)</source>
+        <translation>(noch kein Wortlaut)</translation>
+    </message>
+    <message>
+        <source>Wording</source>
+        <translation>Wortlaut</translation>
+    </message>
+    <message>
+        <source>Kind of rating</source>
+        <translation>Art der Bewertung</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinste</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Asked for every</source>
+        <translation>Abgefragt alle</translation>
+    </message>
+    <message>
+        <source>Said aloud: the operator enters it</source>
+        <translation>Laut gesagt: Die Versuchsleitung gibt sie ein</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>A letter, enter, shift or control</source>
+        <translation>Ein Buchstabe, enter, shift oder control</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Name in den Daten</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>In Daten und Abbildungen: a bis z, 0 bis 9, _ und -</translation>
+    </message>
+    <message>
+        <source>Ends clip and force from</source>
+        <translation>Beendet Clip und Kraft ab</translation>
+    </message>
+    <message>
+        <source>A value from which the clip ends; empty for none</source>
+        <translation>Ein Wert, ab dem der Clip endet; leer für keinen</translation>
+    </message>
+    <message>
+        <source>Text of the break after that</source>
+        <translation>Text der Pause danach</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Moved by</source>
+        <translation>Bewegt mit</translation>
+    </message>
+    <message>
+        <source>Add a label</source>
+        <translation>Beschriftung hinzufügen</translation>
+    </message>
+    <message>
+        <source>another label</source>
+        <translation>andere Beschriftung</translation>
+    </message>
+    <message>
+        <source>another rating</source>
+        <translation>andere Bewertung</translation>
+    </message>
+    <message>
+        <source>another kind of rating</source>
+        <translation>andere Art der Bewertung</translation>
+    </message>
+</context>
+<context>
     <name>Reading</name>
     <message>
         <source>not stated</source>
@@ -5394,6 +5632,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>bereit</translation>
     </message>
     <message>
+        <source>between two clips</source>
+        <translation>zwischen zwei Clips</translation>
+    </message>
+    <message>
         <source>playing</source>
         <translation>spielt</translation>
     </message>
@@ -5460,12 +5702,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Ausgabe hat nicht gespielt ({0})</translation>
     </message>
     <message>
+        <source>{0} reached its limit</source>
+        <translation>{0} hat die Grenze erreicht</translation>
+    </message>
+    <message>
         <source>force and video out of sync</source>
         <translation>Kraft und Video nicht synchron</translation>
     </message>
     <message>
         <source>force and sound out of sync</source>
         <translation>Kraft und Ton nicht synchron</translation>
+    </message>
+    <message>
+        <source>ratings could not be saved</source>
+        <translation>Bewertungen konnten nicht gespeichert werden</translation>
     </message>
     <message>
         <source>skipped</source>
@@ -5837,6 +6087,17 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>SpokenNumber</name>
+    <message>
+        <source>The number that was said</source>
+        <translation>Die gesagte Zahl</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingeben</translation>
+    </message>
+</context>
+<context>
     <name>StartPanel</name>
     <message>
         <source>Participant</source>
@@ -5887,6 +6148,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sitzung starten</translation>
     </message>
     <message>
+        <source>Motion sensor of the demonstration</source>
+        <translation>Bewegungssensor der Vorführung</translation>
+    </message>
+    <message>
+        <source>none; or what you move is felt, such as wt901:/dev/ttyUSB0</source>
+        <translation>keiner; sonst ist zu spüren, was Sie bewegen, etwa wt901:/dev/ttyUSB0</translation>
+    </message>
+    <message>
         <source>Language of the pages</source>
         <translation>Sprache der Seiten</translation>
     </message>
@@ -5897,6 +6166,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Devices</source>
         <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Vorführung</translation>
     </message>
     <message>
         <source>Checks</source>
@@ -6039,6 +6312,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Conditions</source>
         <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>During clips</source>
+        <translation>Während der Clips</translation>
     </message>
     <message>
         <source>Texts</source>
@@ -6524,6 +6801,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Tasten und Meldungen</translation>
     </message>
     <message>
+        <source>During clips</source>
+        <translation>Während der Clips</translation>
+    </message>
+    <message>
+        <source>Least time between two clips</source>
+        <translation>Mindestzeit zwischen zwei Clips</translation>
+    </message>
+    <message>
         <source>A trial is marked as invalid above</source>
         <translation>Ein Durchgang gilt als ungültig oberhalb von</translation>
     </message>
@@ -6558,6 +6843,26 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Counts as</source>
         <translation>Zählt als</translation>
+    </message>
+    <message>
+        <source>Moved by</source>
+        <translation>Bewegt mit</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>Asked for every</source>
+        <translation>Abgefragt alle</translation>
+    </message>
+    <message>
+        <source>Ends clip and force from</source>
+        <translation>Beendet Clip und Kraft ab</translation>
+    </message>
+    <message>
+        <source>Text of the break after that</source>
+        <translation>Text der Pause danach</translation>
     </message>
     <message>
         <source>Title</source>
@@ -6867,8 +7172,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Aufnahme über der Zeit</translation>
     </message>
     <message>
-        <source>Click: seek. Left and Right: 1 s, with Shift 5 s. Wheel: zoom</source>
-        <translation>Klick: springen. Links und rechts: 1 s, mit Umschalt 5 s. Rad: zoomen</translation>
+        <source>Click: seek, beside a mark exactly to it. Left and Right: 1 s, with Shift 5 s. Up and Down: previous and next mark. Wheel: zoom</source>
+        <translation>Klick: springen, neben einer Marke genau zu ihr. Links und Rechts: 1 s, mit Umschalt 5 s. Auf und Ab: vorige und nächste Marke. Rad: zoomen</translation>
     </message>
 </context>
 <context>
@@ -6900,6 +7205,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>lost samples: {count}</source>
         <translation>verlorene Messwerte: {count}</translation>
+    </message>
+    <message>
+        <source>marks: {count}</source>
+        <translation>Marken: {count}</translation>
     </message>
     <message>
         <source>residual of the sensor&apos;s clock: {ms} ms</source>
@@ -8617,16 +8926,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es sieht nach °/s aus: Multiplizieren Sie gx, gy, gz mit 0.0174532925</translation>
     </message>
     <message>
-        <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
-        <translation>es scheint in °/s zu sein: Multiplizieren Sie mit 0.0174532925</translation>
-    </message>
-    <message>
         <source>it seems to be in g: multiply it by 9.80665</source>
         <translation>es scheint in g zu sein: Multiplizieren Sie mit 9.80665</translation>
-    </message>
-    <message>
-        <source>it seems to have been converted twice: multiply it by 57.2957795</source>
-        <translation>es scheint zweimal umgerechnet zu sein: Multiplizieren Sie mit 57.2957795</translation>
     </message>
     <message>
         <source>it did not accept all of the data at {place}</source>
@@ -9117,6 +9418,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Schlag (abklingender Sinus)</translation>
     </message>
     <message>
+        <source>LabRecorder did not start at port {port} ({reason})</source>
+        <translation>LabRecorder ist an Port {port} nicht gestartet ({reason})</translation>
+    </message>
+    <message>
+        <source>LabRecorder does not answer at port {port} ({reason})</source>
+        <translation>LabRecorder antwortet an Port {port} nicht ({reason})</translation>
+    </message>
+    <message>
+        <source>LabRecorder was closed at port {port} ({reason})</source>
+        <translation>LabRecorder wurde geschlossen, Port {port} ({reason})</translation>
+    </message>
+    <message>
         <source>Low-pass</source>
         <translation>Tiefpass</translation>
     </message>
@@ -9413,10 +9726,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>fügen Sie eine Antwort hinzu</translation>
     </message>
     <message>
-        <source>add one: whether force and video went together</source>
-        <translation>fügen Sie eine hinzu: ob Kraft und Video zusammenpassten</translation>
-    </message>
-    <message>
         <source>add yourself to the group {name}, log in again</source>
         <translation>nehmen Sie sich in die Gruppe {name} auf, und melden Sie sich neu an</translation>
     </message>
@@ -9671,10 +9980,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>feedback {feedback} has no parameters</source>
         <translation>das Feedback {feedback} hat keine Parameter</translation>
-    </message>
-    <message>
-        <source>fifo: priority {n} is granted</source>
-        <translation>fifo: Priorität {n} ist erlaubt</translation>
     </message>
     <message>
         <source>finding events</source>
@@ -10017,10 +10322,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sein Video kann nicht gelesen werden</translation>
     </message>
     <message>
-        <source>kept out of deep sleep while a force may be on</source>
-        <translation>bleiben ohne Tiefschlaf, solange eine Kraft an sein kann</translation>
-    </message>
-    <message>
         <source>kind of event</source>
         <translation>Ereignisart</translation>
     </message>
@@ -10035,10 +10336,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
         <translation>die Achsen der Zuordnung müssen eine Drehung sein (orthogonal, Determinante +1)</translation>
-    </message>
-    <message>
-        <source>may sleep deeply: the loop wakes up some 20 us later</source>
-        <translation>dürfen tief schlafen: Die Schleife wacht etwa 20 µs später auf</translation>
     </message>
     <message>
         <source>method</source>
@@ -10173,14 +10470,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>keiner am USB</translation>
     </message>
     <message>
-        <source>normal: neither fifo nor short slices</source>
-        <translation>normal: weder fifo noch kurze Zeitscheiben</translation>
-    </message>
-    <message>
-        <source>normal: this system grants nothing else</source>
-        <translation>normal: Dieses System erlaubt nichts anderes</translation>
-    </message>
-    <message>
         <source>not read: {what} ({count})</source>
         <translation>nicht gelesen: {what} ({count})</translation>
     </message>
@@ -10275,10 +10564,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>preset</source>
         <translation>Voreinstellung</translation>
-    </message>
-    <message>
-        <source>processors</source>
-        <translation>Prozessoren</translation>
     </message>
     <message>
         <source>rate-axes={axes} if the gyroscope is {how}</source>
@@ -10417,10 +10702,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Szene</translation>
     </message>
     <message>
-        <source>scheduling</source>
-        <translation>Zeitzuteilung</translation>
-    </message>
-    <message>
         <source>see whether it is switched on</source>
         <translation>prüfen Sie, ob es eingeschaltet ist</translation>
     </message>
@@ -10475,10 +10756,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>size of the force, every millisecond</source>
         <translation>Betrag der Kraft, jede Millisekunde</translation>
-    </message>
-    <message>
-        <source>slice: short slices, as fifo is not allowed</source>
-        <translation>slice: kurze Zeitscheiben, da fifo nicht erlaubt ist</translation>
     </message>
     <message>
         <source>smooth noise below 0.5 Hz, with the RMS of the realistic force</source>
@@ -10631,14 +10908,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the angular rate reaches {largest:.3g} rad/s when it is read in {rate_unit}, which no sensor shows</source>
         <translation>die Drehrate erreicht {largest:.3g} rad/s, wenn sie in {rate_unit} gelesen wird, was kein Sensor zeigt</translation>
-    </message>
-    <message>
-        <source>the angular rate is about 57 times too high for how the direction of gravity changes</source>
-        <translation>die Drehrate ist etwa 57-mal zu hoch dafür, wie sich die Richtung der Schwerkraft ändert</translation>
-    </message>
-    <message>
-        <source>the angular rate is about 57 times too low for how the direction of gravity changes</source>
-        <translation>die Drehrate ist etwa 57-mal zu niedrig dafür, wie sich die Richtung der Schwerkraft ändert</translation>
     </message>
     <message>
         <source>the answer could not be saved ({reason})</source>
@@ -11025,6 +11294,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Firmware des Falcon fehlt ({path}); sie darf mit diesem Programm nicht weitergegeben werden: Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon, und installieren Sie sie: Gerät &gt; Gerät einrichten</translation>
     </message>
     <message>
+        <source>the analysis of {kind} trials is missing; install the extension that has it, or export the answers</source>
+        <translation>die Auswertung für Durchgänge der Art {kind} fehlt; installieren Sie die Erweiterung, die sie enthält, oder exportieren Sie die Antworten</translation>
+    </message>
+    <message>
         <source>the board at {where} has restarted ({said}); check its supply and cable</source>
         <translation>die Platine an {where} hat neu gestartet ({said}); prüfen Sie Netzteil und Kabel</translation>
     </message>
@@ -11115,10 +11388,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the motion covers {first_s:.1f} to {last_s:.1f} s of the clip&apos;s {duration_s:.1f} s; there is no force outside</source>
         <translation>die Bewegung reicht von {first_s:.1f} bis {last_s:.1f} s der {duration_s:.1f} s des Clips; außerhalb gibt es keine Kraft</translation>
-    </message>
-    <message>
-        <source>the motion does not clearly agree with the unit of the angular rate; it was taken as it is</source>
-        <translation>die Bewegung passt nicht eindeutig zur Einheit der Drehrate; sie wurde unverändert übernommen</translation>
     </message>
     <message>
         <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without an estimate</source>
@@ -11561,6 +11830,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Verzögerung</translation>
     </message>
     <message>
+        <source>During each clip a slider says how badly force and video fit; the recorded force beside a weaker and a late one and none.</source>
+        <translation>Während jedes Clips gibt ein Schieberegler an, wie schlecht Kraft und Video zusammenpassen; die aufgezeichnete Kraft neben einer schwächeren, einer späten und keiner.</translation>
+    </message>
+    <message>
+        <source>Each clip twice, once with a late force; the delay follows the answers (2-down 1-up).</source>
+        <translation>Jeder Clip zweimal, einmal mit später Kraft; die Verzögerung folgt den Antworten (2-down 1-up).</translation>
+    </message>
+    <message>
+        <source>Each clip twice, once with a stronger or weaker force; in which one it was stronger (forced choice).</source>
+        <translation>Jeder Clip zweimal, einmal mit stärkerer oder schwächerer Kraft; in welchem war sie stärker (Zwangswahl).</translation>
+    </message>
+    <message>
         <source>Effects</source>
         <translation>Effekte</translation>
     </message>
@@ -11575,6 +11856,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Firmware</source>
         <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Forces of several strengths; a number in proportion after each clip.</source>
+        <translation>Kräfte verschiedener Stärke; nach jedem Clip eine Zahl im Verhältnis dazu.</translation>
     </message>
     <message>
         <source>Game pad that Linux can rumble</source>
@@ -11593,8 +11878,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Inverse3 an simuliertem Dienst</translation>
     </message>
     <message>
+        <source>Just noticeable change</source>
+        <translation>Eben merkliche Änderung</translation>
+    </message>
+    <message>
+        <source>LabRecorder cannot write into a folder with braces in its name</source>
+        <translation>LabRecorder kann nicht in einen Ordner mit geschweiften Klammern im Namen schreiben</translation>
+    </message>
+    <message>
+        <source>LabRecorder has not begun its file</source>
+        <translation>LabRecorder hat seine Datei nicht begonnen</translation>
+    </message>
+    <message>
+        <source>LabRecorder is still starting</source>
+        <translation>LabRecorder startet noch</translation>
+    </message>
+    <message>
         <source>Linux</source>
         <translation>Linux</translation>
+    </message>
+    <message>
+        <source>Magnitude estimation</source>
+        <translation>Größenschätzung</translation>
+    </message>
+    <message>
+        <source>Motion incongruence</source>
+        <translation>Bewegungsinkongruenz</translation>
     </message>
     <message>
         <source>No motion: force here is gravity that was not removed</source>
@@ -11625,12 +11934,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Tonausgang {card} mit den Kanälen {channels}</translation>
     </message>
     <message>
+        <source>Staircase</source>
+        <translation>Treppenverfahren</translation>
+    </message>
+    <message>
+        <source>Susceptibility (MSSQ-short) and symptoms (SSQ) before and after; during each clip sickness (FMS) each minute, which can end it, and vection by a held key.</source>
+        <translation>Anfälligkeit (MSSQ-short) und Symptome (SSQ) vorher und nachher; während jedes Clips jede Minute Übelkeit (FMS), die ihn beenden kann, und Vektion durch eine gehaltene Taste.</translation>
+    </message>
+    <message>
         <source>Wheel or joystick with a motor</source>
         <translation>Lenkrad oder Joystick mit Motor</translation>
     </message>
     <message>
         <source>a Williams design contains every pair of neighbours, also of one sequence</source>
         <translation>ein Williams-Plan enthält jedes Paar von Nachbarn, auch derselben Sequenz</translation>
+    </message>
+    <message>
+        <source>a death ends the force when the kernel has cleared up, 10 to 80 ms</source>
+        <translation>ein Absturz beendet die Kraft, wenn der Kernel aufgeräumt hat, nach 10 bis 80 ms</translation>
+    </message>
+    <message>
+        <source>a force is not of this study</source>
+        <translation>eine Kraft gehört nicht zu dieser Studie</translation>
     </message>
     <message>
         <source>a frame has the shape {shape}, expected {expected} of uint8</source>
@@ -11651,6 +11976,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>a whole number</source>
         <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>add one: it is analysed</source>
+        <translation>fügen Sie eine hinzu: Sie wird ausgewertet</translation>
     </message>
     <message>
         <source>adding telemetry</source>
@@ -11675,6 +12004,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>another rendering needs the folder of the sequence; unpack it</source>
         <translation>eine andere Umsetzung braucht den Ordner der Sequenz; entpacken Sie sie</translation>
+    </message>
+    <message>
+        <source>cannot be opened again</source>
+        <translation>kann nicht wieder geöffnet werden</translation>
     </message>
     <message>
         <source>check the address and the network</source>
@@ -11705,12 +12038,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Bedingung {key} ist nicht in der Studie</translation>
     </message>
     <message>
+        <source>connection ended</source>
+        <translation>Verbindung beendet</translation>
+    </message>
+    <message>
         <source>converting</source>
         <translation>wird umgewandelt</translation>
     </message>
     <message>
         <source>copying the clip</source>
         <translation>Clip wird kopiert</translation>
+    </message>
+    <message>
+        <source>cumulative-link mixed model ({link}): likelihood ratio of all feedbacks, pairs by Wald&apos;s z with Holm</source>
+        <translation>gemischtes Cumulative-Link-Modell ({link}): Likelihood-Quotient aller Feedbacks, Paare nach Walds z mit Holm</translation>
     </message>
     <message>
         <source>does not give parts of this file</source>
@@ -11749,6 +12090,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Schlüssel {key!r} steht zweimal da</translation>
     </message>
     <message>
+        <source>enter a feedback</source>
+        <translation>geben Sie ein Feedback an</translation>
+    </message>
+    <message>
         <source>estimated from the picture</source>
         <translation>aus dem Bild geschätzt</translation>
     </message>
@@ -11777,6 +12122,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>keine Reihenfolge gefunden, in der keine Sequenz zweimal nacheinander kommt</translation>
     </message>
     <message>
+        <source>get the package again, or pack the study again</source>
+        <translation>holen Sie das Paket noch einmal, oder packen Sie die Studie noch einmal</translation>
+    </message>
+    <message>
         <source>give a link that needs none, such as a signed one</source>
         <translation>geben Sie einen Link an, der ohne auskommt, etwa einen signierten</translation>
     </message>
@@ -11797,8 +12146,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>hat eine andere Anzahl von Spalten</translation>
     </message>
     <message>
+        <source>has no choice of one answer after the clips</source>
+        <translation>hat keine Auswahl einer Antwort nach den Clips</translation>
+    </message>
+    <message>
         <source>has no question after a clip</source>
         <translation>fragt nichts nach einem Clip</translation>
+    </message>
+    <message>
+        <source>has no question for a number after a clip</source>
+        <translation>hat keine Frage nach einer Zahl nach einem Clip</translation>
     </message>
     <message>
         <source>has no rows</source>
@@ -11807,6 +12164,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has records of version {found}, this program reads {version}</source>
         <translation>enthält Aufzeichnungen der Version {found}, dieses Programm liest {version}</translation>
+    </message>
+    <message>
+        <source>has two axes</source>
+        <translation>hat zwei Achsen</translation>
     </message>
     <message>
         <source>heard</source>
@@ -11821,6 +12182,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine lesbare Bewegung</translation>
     </message>
     <message>
+        <source>hypothesis {text!r}: there is no {name!r}; choose one of {known}</source>
+        <translation>Hypothese {text!r}: {name!r} gibt es nicht; wählen Sie eines von {known}</translation>
+    </message>
+    <message>
+        <source>imu: {what}; from now on it has another clock</source>
+        <translation>imu: {what}; ab jetzt gilt eine andere Uhr</translation>
+    </message>
+    <message>
+        <source>imu: {what}; the rest goes on, and it is taken up again as soon as it is back</source>
+        <translation>imu: {what}; der Rest läuft weiter, und sie wird wieder aufgenommen, sobald sie zurück ist</translation>
+    </message>
+    <message>
         <source>intensities beyond their range were limited</source>
         <translation>Intensitäten außerhalb ihres Bereichs wurden begrenzt</translation>
     </message>
@@ -11833,8 +12206,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist beschädigt oder fehlt, und die Definition der Studie hat sich geändert</translation>
     </message>
     <message>
+        <source>is damaged or was altered (its checksum differs)</source>
+        <translation>ist beschädigt oder wurde verändert (die Prüfsumme ist eine andere)</translation>
+    </message>
+    <message>
         <source>is empty or has become shorter</source>
         <translation>ist leer oder kürzer geworden</translation>
+    </message>
+    <message>
+        <source>is missing: what the other force is compared with</source>
+        <translation>fehlt: womit die andere Kraft verglichen wird</translation>
     </message>
     <message>
         <source>is not UTF-8 text</source>
@@ -11865,6 +12246,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>beschreibt keine Studie</translation>
     </message>
     <message>
+        <source>is not used in ratings by {kind}</source>
+        <translation>wird in Bewertungen der Art {kind} nicht verwendet</translation>
+    </message>
+    <message>
+        <source>is not used without stop_at</source>
+        <translation>wird ohne stop_at nicht verwendet</translation>
+    </message>
+    <message>
         <source>is not valid JSON ({reason})</source>
         <translation>ist kein gültiges JSON ({reason})</translation>
     </message>
@@ -11873,12 +12262,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wird nur nach dem letzten Durchgang verwendet</translation>
     </message>
     <message>
+        <source>is only used with LSL</source>
+        <translation>wird nur mit LSL verwendet</translation>
+    </message>
+    <message>
         <source>is refused by its server (status {status})</source>
         <translation>wird vom Server verweigert (Status {status})</translation>
     </message>
     <message>
         <source>is the consent of {code}</source>
         <translation>ist die Einwilligung von {code}</translation>
+    </message>
+    <message>
+        <source>is the plan of the study {found}, not {expected}</source>
+        <translation>ist der Plan der Studie {found}, nicht {expected}</translation>
     </message>
     <message>
         <source>is the session of {code}</source>
@@ -11933,8 +12330,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es sieht nach Nanosekunden aus: Teilen Sie {scale} durch 1000000000</translation>
     </message>
     <message>
+        <source>it played another sequence {key!r} than was packed</source>
+        <translation>gespielt wurde eine andere Sequenz {key!r} als die gepackte</translation>
+    </message>
+    <message>
+        <source>it ran a definition that was altered after the study was packed</source>
+        <translation>lief mit einer Definition, die nach dem Packen der Studie geändert wurde</translation>
+    </message>
+    <message>
         <source>it seems to be in {unit}: multiply it by {factor:.6g}</source>
         <translation>es scheint in {unit} zu sein: Multiplizieren Sie es mit {factor:.6g}</translation>
+    </message>
+    <message>
+        <source>it was closed</source>
+        <translation>wurde geschlossen</translation>
     </message>
     <message>
         <source>it was recorded at {captured_hz:g} frames per second and plays at {shown_hz:g}</source>
@@ -11955,6 +12364,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>its columns are known</source>
         <translation>seine Spalten sind bekannt</translation>
+    </message>
+    <message>
+        <source>its definition was altered since the study was packed</source>
+        <translation>die Definition wurde geändert, seit die Studie gepackt wurde</translation>
     </message>
     <message>
         <source>its edit list stretches time</source>
@@ -12077,6 +12490,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ungültige Antworten des Geräts</translation>
     </message>
     <message>
+        <source>media keys; the screen stays awake while a clip plays</source>
+        <translation>Medientasten; der Bildschirm bleibt an, während ein Clip spielt</translation>
+    </message>
+    <message>
         <source>mirrored</source>
         <translation>gespiegelt</translation>
     </message>
@@ -12095,6 +12512,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>move the grip to the centre first, then re-arm again</source>
         <translation>bringen Sie den Griff zuerst in die Mitte, und geben Sie die Kraft dann noch einmal frei</translation>
+    </message>
+    <message>
+        <source>must be a letter from a to z, enter, shift or control</source>
+        <translation>muss ein Buchstabe von a bis z, enter, shift oder control sein</translation>
+    </message>
+    <message>
+        <source>must be more than least</source>
+        <translation>muss größer als least sein</translation>
     </message>
     <message>
         <source>must be one of the choices</source>
@@ -12135,6 +12560,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no force track</source>
         <translation>keine Kraftspur</translation>
+    </message>
+    <message>
+        <source>no joystick was found, but a rating is moved by one</source>
+        <translation>kein Joystick gefunden, aber eine Bewertung wird mit einem bewegt</translation>
+    </message>
+    <message>
+        <source>no media keys, and the screen may go dark while a clip plays</source>
+        <translation>keine Medientasten, und der Bildschirm kann dunkel werden, während ein Clip spielt</translation>
+    </message>
+    <message>
+        <source>no part of the program is paged out</source>
+        <translation>kein Teil des Programms wird ausgelagert</translation>
     </message>
     <message>
         <source>no participant {code}</source>
@@ -12193,6 +12630,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>von {count} Bezugsgeräten gilt das erste</translation>
     </message>
     <message>
+        <source>offer the first and the second clip</source>
+        <translation>bieten Sie den ersten und den zweiten Clip an</translation>
+    </message>
+    <message>
+        <source>only {free_mb} MB of the disk are free, enough for {minutes:.0f} min</source>
+        <translation>auf dem Datenträger sind nur {free_mb} MB frei, genug für {minutes:.0f} min</translation>
+    </message>
+    <message>
         <source>open it again</source>
         <translation>öffnen Sie sie noch einmal</translation>
     </message>
@@ -12225,8 +12670,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Player beendet</translation>
     </message>
     <message>
+        <source>plug it in, or add yourself to the group &apos;input&apos;</source>
+        <translation>schließen Sie ihn an, oder nehmen Sie sich in die Gruppe &apos;input&apos; auf</translation>
+    </message>
+    <message>
+        <source>plug it in, then begin the session again</source>
+        <translation>schließen Sie ihn an, und beginnen Sie die Sitzung dann noch einmal</translation>
+    </message>
+    <message>
         <source>predicting excursions</source>
         <translation>Auslenkungen werden vorhergesagt</translation>
+    </message>
+    <message>
+        <source>processors are kept out of deep sleep while a force may be on</source>
+        <translation>die Prozessoren schlafen nicht tief, solange eine Kraft wirken kann</translation>
+    </message>
+    <message>
+        <source>processors may sleep deeply: the loop wakes up some 20 us later</source>
+        <translation>die Prozessoren dürfen tief schlafen: Die Schleife wacht etwa 20 us später auf</translation>
     </message>
     <message>
         <source>pull the grip all the way out, then push it in until it locks</source>
@@ -12337,6 +12798,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>packen Sie es mit MKVToolNix oder FFmpeg ohne sie um</translation>
     </message>
     <message>
+        <source>rename it</source>
+        <translation>benennen Sie ihn um</translation>
+    </message>
+    <message>
         <source>rename it to {name!r} to feel it as {as_what}</source>
         <translation>benennen Sie es in {name!r} um, um es als {as_what} zu spüren</translation>
     </message>
@@ -12389,6 +12854,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sitzung {code}: {key} wurde ausgelassen; es ist nicht in der Definition</translation>
     </message>
     <message>
+        <source>set &apos;lsl&apos; to true</source>
+        <translation>setzen Sie &apos;lsl&apos; auf true</translation>
+    </message>
+    <message>
         <source>set the device up first</source>
         <translation>richten Sie das Gerät zuerst ein</translation>
     </message>
@@ -12399,6 +12868,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>simulated {begin} of {studies} studies</source>
         <translation>{begin} von {studies} Studien simuliert</translation>
+    </message>
+    <message>
+        <source>simulating studies of {size} participants</source>
+        <translation>Studien mit {size} Personen werden simuliert</translation>
     </message>
     <message>
         <source>skipping a step needs a reason</source>
@@ -12417,12 +12890,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ausreißer entfernt aus {force} Abtastwerten des Beschleunigungssensors, {rate} des Gyroskops, {field} des Magnetometers; {kept} auffällige Abtastwerte blieben als Bewegung</translation>
     </message>
     <message>
+        <source>start LabRecorder on this computer, tick &apos;Enable RCS&apos; and look at its window, then begin the session again</source>
+        <translation>starten Sie LabRecorder auf diesem Rechner, haken Sie „Enable RCS“ an, sehen Sie in sein Fenster, und beginnen Sie die Sitzung dann noch einmal</translation>
+    </message>
+    <message>
         <source>start a new session</source>
         <translation>beginnen Sie eine neue</translation>
     </message>
     <message>
+        <source>start them, then begin the trial again</source>
+        <translation>starten Sie sie, und beginnen Sie den Durchgang dann noch einmal</translation>
+    </message>
+    <message>
         <source>starting</source>
         <translation>startet</translation>
+    </message>
+    <message>
+        <source>stop what it records, then begin the session again</source>
+        <translation>beenden Sie seine Aufnahme, und beginnen Sie die Sitzung dann noch einmal</translation>
     </message>
     <message>
         <source>stopped: {cause}; {remedy}</source>
@@ -12461,12 +12946,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nimmt Spalte {number} für {name}, aber sie enthält {text!r}; übergehen Sie sie mit -, oder schreiben Sie sie als Zahlen</translation>
     </message>
     <message>
-        <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
-        <translation>die Auswertung von Konsistenzversuchen fehlt; installieren Sie die Erweiterung, die sie hat, oder exportieren Sie die Antworten</translation>
-    </message>
-    <message>
         <source>the angular rate is not that of the camera in the frames of the clip, but would be if it were {scale:.3g} times as large</source>
         <translation>die Drehrate ist nicht die der Kamera in den Bildern des Clips, wäre es aber, wenn sie {scale:.3g}-mal so groß wäre</translation>
+    </message>
+    <message>
+        <source>the answers to {key!r} must be two: the clips</source>
+        <translation>{key!r} muss zwei Antworten haben: die Clips</translation>
     </message>
     <message>
         <source>the camera does not move: there is nothing to estimate</source>
@@ -12535,6 +13020,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the current page is {page}, not {expected}</source>
         <translation>dies ist die Seite {page}, nicht {expected}</translation>
+    </message>
+    <message>
+        <source>the death of the player or its loop ends the force at once</source>
+        <translation>ein Absturz des Players oder seiner Schleife beendet die Kraft sofort</translation>
     </message>
     <message>
         <source>the device driver failed ({reason}); report this, and choose the device again</source>
@@ -12609,12 +13098,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der persönliche Ordner ist unbekannt; {variable} auf den Pfad der Firmware setzen</translation>
     </message>
     <message>
+        <source>the joystick cannot be opened ({reason})</source>
+        <translation>der Joystick kann nicht geöffnet werden ({reason})</translation>
+    </message>
+    <message>
         <source>the kind is not known</source>
         <translation>die Art ist unbekannt</translation>
     </message>
     <message>
         <source>the language</source>
         <translation>die Programmiersprache</translation>
+    </message>
+    <message>
+        <source>the last step must be above 0 and not above the first change</source>
+        <translation>der letzte Schritt muss über 0 liegen und darf nicht über der ersten Änderung liegen</translation>
     </message>
     <message>
         <source>the last {count} samples are missing</source>
@@ -12625,8 +13122,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Protokoll enthält keine Drehrate, mit der Bilder verglichen werden könnten</translation>
     </message>
     <message>
+        <source>the loop comes before other programs: 3 late wake-ups a minute</source>
+        <translation>die Schleife kommt vor anderen Programmen: 3-mal je Minute wacht sie zu spät auf</translation>
+    </message>
+    <message>
+        <source>the loop competes with other programs: 22 late wake-ups a minute</source>
+        <translation>die Schleife konkurriert mit anderen Programmen: 22-mal je Minute wacht sie zu spät auf</translation>
+    </message>
+    <message>
         <source>the method frames needs a clip</source>
         <translation>das Verfahren frames braucht einen Clip</translation>
+    </message>
+    <message>
+        <source>the mixed model cannot be fitted: answers of at least {least} participants to all feedbacks are needed, and not all alike</source>
+        <translation>das gemischte Modell lässt sich nicht anpassen: Nötig sind Antworten von mindestens {least} Personen zu allen Feedbacks, und nicht alle gleich</translation>
+    </message>
+    <message>
+        <source>the mixed model cannot be fitted: nearly all answers to a feedback are at an end of the scale; use the rank tests</source>
+        <translation>das gemischte Modell lässt sich nicht anpassen: Fast alle Antworten zu einem Feedback liegen an einem Ende der Skala; verwenden Sie die Rangtests</translation>
     </message>
     <message>
         <source>the motion in clips of Sony and Insta360 is not read</source>
@@ -12669,8 +13182,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der langsame Anteil der spezifischen Kraft ist die Schwerkraft</translation>
     </message>
     <message>
+        <source>the standard is not one of two forces</source>
+        <translation>der Standard ist keine der zwei Kräfte</translation>
+    </message>
+    <message>
         <source>the text is too long to be saved ({found_kb} KB, at most {most_kb} KB)</source>
         <translation>der Text ist zu lang zum Speichern ({found_kb} KB, höchstens {most_kb} KB)</translation>
+    </message>
+    <message>
+        <source>the window waits up to 80 ms for work in the background</source>
+        <translation>Arbeit im Hintergrund lässt das Fenster bis zu 80 ms warten</translation>
+    </message>
+    <message>
+        <source>the window, and without fifo the loop, have short time slices</source>
+        <translation>das Fenster und, ohne fifo, die Schleife haben kurze Zeitscheiben</translation>
+    </message>
+    <message>
+        <source>the window, and without fifo the loop, wait: 437 late wake-ups a minute</source>
+        <translation>das Fenster und, ohne fifo, die Schleife warten: 437-mal je Minute wachen sie zu spät auf</translation>
     </message>
     <message>
         <source>there are no frames to write</source>
@@ -12697,6 +13226,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es gibt keine Bewegung, in der Ereignisse gesucht werden könnten</translation>
     </message>
     <message>
+        <source>there is no number above 0 to analyse</source>
+        <translation>es gibt keine Zahl über 0, die sich auswerten ließe</translation>
+    </message>
+    <message>
         <source>there is no output {name!r}</source>
         <translation>es gibt keine Ausgabe {name!r}</translation>
     </message>
@@ -12711,6 +13244,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>there is none yet</source>
         <translation>es gibt noch keine</translation>
+    </message>
+    <message>
+        <source>these LSL streams are not on this computer: {names}</source>
+        <translation>diese LSL-Ströme sind nicht auf diesem Rechner: {names}</translation>
     </message>
     <message>
         <source>this condition needs the sequence of the clip</source>
@@ -12819,10 +13356,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>SparkFun Ultimate IMU, text of its stock firmware</source>
         <translation>SparkFun Ultimate IMU, Text der Werksfirmware</translation>
-    </message>
-    <message>
-        <source>Susceptibility (MSSQ-short) and symptoms (SSQ) before, sickness (FMS) and vection after each clip, symptoms again at the end.</source>
-        <translation>Anfälligkeit (MSSQ-short) und Symptome (SSQ) vorher, Übelkeit (FMS) und Vektion nach jedem Clip, am Ende noch einmal die Symptome.</translation>
     </message>
     <message>
         <source>The Haptic Experience Inventory (HXI) after each clip; its wording is to be entered from your copy.</source>
@@ -13077,10 +13610,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es wird nichts aufgenommen; geben Sie eine Kamera, eine IMU oder beides an</translation>
     </message>
     <message>
-        <source>only {free_mb} MB of the disk are free</source>
-        <translation>nur noch {free_mb} MB der Platte sind frei</translation>
-    </message>
-    <message>
         <source>open an experiment in phyphox, and Allow remote access in its menu</source>
         <translation>öffnen Sie ein Experiment in phyphox, und wählen Sie im Menü Fernzugriff erlauben (Allow remote access)</translation>
     </message>
@@ -13229,10 +13758,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>dies ist nicht das Video, für das die Kraft gemacht wurde ({reason}): Es läuft ohne Kraft</translation>
     </message>
     <message>
-        <source>this system takes no request to keep them awake</source>
-        <translation>dieses System nimmt keine Anforderung an, sie wach zu halten</translation>
-    </message>
-    <message>
         <source>three channels were taken as x, y and z</source>
         <translation>drei Kanäle gelten als x, y und z</translation>
     </message>
@@ -13273,6 +13798,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>abgezogen</translation>
     </message>
     <message>
+        <source>unset {switch}</source>
+        <translation>entfernen Sie die Umgebungsvariable {switch}</translation>
+    </message>
+    <message>
         <source>update the app, or choose another source</source>
         <translation>aktualisieren Sie die App, oder wählen Sie eine andere Quelle</translation>
     </message>
@@ -13305,12 +13834,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bild und Ton</translation>
     </message>
     <message>
+        <source>wait a moment</source>
+        <translation>warten Sie einen Moment</translation>
+    </message>
+    <message>
         <source>wait until nothing writes to it, then start again</source>
         <translation>warten Sie, bis niemand mehr in die Datei schreibt, und beginnen Sie neu</translation>
     </message>
     <message>
         <source>wait until that has finished, or close it, then try again</source>
         <translation>warten Sie, bis es fertig ist, oder schließen Sie es, und versuchen Sie es dann noch einmal</translation>
+    </message>
+    <message>
+        <source>was altered since the study was packed</source>
+        <translation>wurde geändert, seit die Studie gepackt wurde</translation>
     </message>
     <message>
         <source>was changed by another program meanwhile</source>
@@ -13361,6 +13898,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>was vor 0 s liegt, wurde weggelassen</translation>
     </message>
     <message>
+        <source>what the processes share is a file for a moment, in /dev/shm</source>
+        <translation>was die Prozesse teilen, ist für einen Moment eine Datei in /dev/shm</translation>
+    </message>
+    <message>
+        <source>what the processes share is memory without a name</source>
+        <translation>was die Prozesse teilen, ist Speicher ohne Namen</translation>
+    </message>
+    <message>
         <source>what was recorded lasts from {first_s:.2f} to {last_s:.2f} s, the clip from 0 to {duration_s:.2f} s: it was cut, or plays at another speed</source>
         <translation>das Aufgezeichnete reicht von {first_s:.2f} bis {last_s:.2f} s, der Clip von 0 bis {duration_s:.2f} s: Er wurde geschnitten oder läuft mit anderer Geschwindigkeit</translation>
     </message>
@@ -13375,6 +13920,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>which nothing here reads</source>
         <translation>die hier nichts liest</translation>
+    </message>
+    <message>
+        <source>while memory is short, the window freezes for up to a second</source>
+        <translation>wenn der Arbeitsspeicher knapp ist, steht das Fenster bis zu einer Sekunde still</translation>
     </message>
     <message>
         <source>whoever is in the network and knows the URL can send to port {port} of this machine while it records.</source>
@@ -13403,6 +13952,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>without labels</source>
         <translation>ohne Beschriftung</translation>
+    </message>
+    <message>
+        <source>work in the background takes only what nobody else wants</source>
+        <translation>Arbeit im Hintergrund nimmt nur, was sonst niemand braucht</translation>
     </message>
     <message>
         <source>write numbers without units or signs, or choose another log</source>
@@ -13497,6 +14050,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{count} Datensätze fehlen, der erste ist Nummer {number}</translation>
     </message>
     <message>
+        <source>{count} rows are damaged</source>
+        <translation>{count} Zeilen sind beschädigt</translation>
+    </message>
+    <message>
         <source>{count} text answers were left out: they have not been reviewed</source>
         <translation>{count} Textantworten wurden weggelassen: Sie wurden nicht durchgesehen</translation>
     </message>
@@ -13529,12 +14086,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
     </message>
     <message>
+        <source>{file}: is not of this session</source>
+        <translation>{file}: gehört nicht zu dieser Sitzung</translation>
+    </message>
+    <message>
         <source>{file}: {what}</source>
         <translation>{file}: {what}</translation>
     </message>
     <message>
         <source>{file}: {what}; choose the mounting {name}, or another of {known}, or auto for what the frames tell, or forward to keep its axes{sign}</source>
         <translation>{file}: {what}; wählen Sie die Befestigung {name} oder eine andere von {known}, oder auto für das, was die Bilder zeigen, oder forward, um seine Achsen zu behalten{sign}</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be written ({reason}); what was recorded until now is kept</source>
+        <translation>{folder} kann nicht geschrieben werden ({reason}); was bisher aufgenommen wurde, bleibt erhalten</translation>
     </message>
     <message>
         <source>{free_gb:.1f} GB free</source>
@@ -13547,6 +14112,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{how}; or {others}</source>
         <translation>{how}; oder {others}</translation>
+    </message>
+    <message>
+        <source>{key!r} is not a feedback</source>
+        <translation>{key!r} ist kein Feedback</translation>
     </message>
     <message>
         <source>{key!r} is the name of another condition</source>
@@ -13623,6 +14192,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name!r} is the name of a condition; choose another name</source>
         <translation>{name!r} ist der Name einer Bedingung; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>{name!r} moves no slider</source>
+        <translation>{name!r} bewegt keinen Schieberegler</translation>
     </message>
     <message>
         <source>{name!r} must end with .mkv (one file) or .mp4 (with a side-car)</source>
@@ -13739,6 +14312,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} was taken as {modality}</source>
         <translation>{name} gilt als {modality}</translation>
+    </message>
+    <message>
+        <source>{name} would be above {most:g}</source>
+        <translation>{name} läge über {most:g}</translation>
     </message>
     <message>
         <source>{name}: {kind} has no such parameter; it has {known}</source>
@@ -13865,6 +14442,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{source}: {question} Erlauben Sie es mit {option} {source}:{text},allow=yes</translation>
     </message>
     <message>
+        <source>{stream}: ends here, the disk at {disk} is full; what was recorded is kept</source>
+        <translation>{stream}: endet hier, der Datenträger bei {disk} ist voll; was aufgenommen wurde, bleibt erhalten</translation>
+    </message>
+    <message>
         <source>{stream}: is back</source>
         <translation>{stream}: ist wieder da</translation>
     </message>
@@ -13875,6 +14456,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{stream}: {what}</source>
         <translation>{stream}: {what}</translation>
+    </message>
+    <message>
+        <source>{switch} names {unknown}, which is no facility; choose from {known}</source>
+        <translation>{switch} nennt {unknown}, das gibt es nicht; wählen Sie aus {known}</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the wearer&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -13957,6 +14542,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{unseen_s:.0f} s ohne Schätzung: Schnitte, dunkle, unscharfe oder leere Bilder</translation>
     </message>
     <message>
+        <source>{used!r} is used by another rating</source>
+        <translation>{used!r} wird von einer anderen Bewertung verwendet</translation>
+    </message>
+    <message>
         <source>{value!r} is not a sequence of this study</source>
         <translation>{value!r} ist keine Sequenz dieser Studie</translation>
     </message>
@@ -13967,10 +14556,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{value} is not allowed</source>
         <translation>{value} ist nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>{what} ({limits})</source>
-        <translation>{what} ({limits})</translation>
     </message>
     <message>
         <source>{what} ({proof})</source>

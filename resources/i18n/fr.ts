@@ -562,6 +562,10 @@
         <translation>Caméra</translation>
     </message>
     <message>
+        <source>Size and rate of the camera</source>
+        <translation>Taille et cadence de la caméra</translation>
+    </message>
+    <message>
         <source>Microphone</source>
         <translation>Microphone</translation>
     </message>
@@ -594,6 +598,10 @@
         <translation>Camér&amp;a</translation>
     </message>
     <message>
+        <source>Si&amp;ze and rate</source>
+        <translation>Taille et ca&amp;dence</translation>
+    </message>
+    <message>
         <source>M&amp;icrophone</source>
         <translation>M&amp;icrophone</translation>
     </message>
@@ -608,6 +616,14 @@
     <message>
         <source>None</source>
         <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>As the camera offers</source>
+        <translation>Au choix de la caméra</translation>
+    </message>
+    <message>
+        <source>{width} × {height}, {rate} fps</source>
+        <translation>{width} × {height}, {rate} images/s</translation>
     </message>
     <message>
         <source>No camera was found: plug one in, and press Look again.</source>
@@ -758,8 +774,24 @@
         <translation>Niveau (retard et gain)</translation>
     </message>
     <message>
+        <source>Each of them is compared with</source>
+        <translation>Chacune est comparée à</translation>
+    </message>
+    <message>
+        <source>The standard</source>
+        <translation>La référence</translation>
+    </message>
+    <message>
+        <source>Staircase</source>
+        <translation>Escalier</translation>
+    </message>
+    <message>
         <source>Each of them at these levels</source>
         <translation>Chacune à ces niveaux</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
     </message>
     <message>
         <source>Delay of the force</source>
@@ -784,6 +816,42 @@
     <message>
         <source>Each sequence is played under each condition. Sessions that have begun keep theirs.</source>
         <translation>Chaque séquence est jouée sous chaque condition. Les séances commencées gardent les leurs.</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>retard</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>gain</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Ce qui change</translation>
+    </message>
+    <message>
+        <source>2-down 1-up</source>
+        <translation>2-down 1-up</translation>
+    </message>
+    <message>
+        <source>3-down 1-up</source>
+        <translation>3-down 1-up</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>First change</source>
+        <translation>Premier changement</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Trials of each</source>
+        <translation>Essais de chacune</translation>
     </message>
     <message>
         <source>Name in the data</source>
@@ -854,6 +922,41 @@
     <message>
         <source>Loop from {a} to {b}</source>
         <translation>Boucle de {a} à {b}</translation>
+    </message>
+</context>
+<context>
+    <name>DemoEnd</name>
+    <message>
+        <source>End of the demo</source>
+        <translation>Fin de la démo</translation>
+    </message>
+    <message>
+        <source>That was the demo. What next?</source>
+        <translation>C’était la démo. Et maintenant&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Play again</source>
+        <translation>Relire</translation>
+    </message>
+    <message>
+        <source>Play the demo from its beginning</source>
+        <translation>Lire la démo depuis le début</translation>
+    </message>
+    <message>
+        <source>Import your own…</source>
+        <translation>Importer une vidéo…</translation>
+    </message>
+    <message>
+        <source>Create a sequence from a video and its motion data</source>
+        <translation>Créer une séquence à partir d’une vidéo et de son mouvement</translation>
+    </message>
+    <message>
+        <source>Choose a device…</source>
+        <translation>Choisir un appareil…</translation>
+    </message>
+    <message>
+        <source>The haptic device to use; the simulated one needs no hardware</source>
+        <translation>L’appareil haptique à utiliser&#xa0;; le simulé ne demande aucun matériel</translation>
     </message>
 </context>
 <context>
@@ -1921,6 +2024,18 @@
         <translation>Diffuser marqueurs et force vers d’autres programmes de cet ordinateur (LSL)</translation>
     </message>
     <message>
+        <source>Record each session with LabRecorder</source>
+        <translation>Enregistrer chaque séance avec LabRecorder</translation>
+    </message>
+    <message>
+        <source>LSL streams that each trial needs</source>
+        <translation>Flux LSL nécessaires à chaque essai</translation>
+    </message>
+    <message>
+        <source>Least time between two clips</source>
+        <translation>Temps minimal entre deux clips</translation>
+    </message>
+    <message>
         <source>Free disk space</source>
         <translation>Espace disque libre</translation>
     </message>
@@ -1965,8 +2080,16 @@
         <translation>les conditions sont comparées d’après les réponses</translation>
     </message>
     <message>
-        <source>when force and video feel consistent</source>
-        <translation>quand la force et la vidéo sont ressenties comme concordantes</translation>
+        <source>yes or no to each level of the force</source>
+        <translation>oui ou non à chaque niveau de la force</translation>
+    </message>
+    <message>
+        <source>which of two clips (forced choice)</source>
+        <translation>lequel de deux clips (choix forcé)</translation>
+    </message>
+    <message>
+        <source>a number for each level of the force</source>
+        <translation>un nombre pour chaque niveau de la force</translation>
     </message>
     <message>
         <source>Kept as they are: the template ({template}), what the trials are for ({trial}), and the identifier by which sessions belong to the study ({id}).</source>
@@ -4365,6 +4488,121 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>RatingList</name>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Add a rating while a clip plays</source>
+        <translation>Ajouter une évaluation pendant la lecture d’un clip</translation>
+    </message>
+    <message>
+        <source>Ratings while a clip plays</source>
+        <translation>Évaluations pendant la lecture d’un clip</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Curseur</translation>
+    </message>
+    <message>
+        <source>Number every so often</source>
+        <translation>Nombre à intervalles réguliers</translation>
+    </message>
+    <message>
+        <source>Key that is held</source>
+        <translation>Touche maintenue</translation>
+    </message>
+    <message>
+        <source>(no wording yet)</source>
+        <translation>(pas encore de formulation)</translation>
+    </message>
+    <message>
+        <source>Wording</source>
+        <translation>Formulation</translation>
+    </message>
+    <message>
+        <source>Kind of rating</source>
+        <translation>Type d’évaluation</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Asked for every</source>
+        <translation>Demandé toutes les</translation>
+    </message>
+    <message>
+        <source>Said aloud: the operator enters it</source>
+        <translation>Dit à voix haute&#xa0;: l’opérateur le saisit</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+    <message>
+        <source>A letter, enter, shift or control</source>
+        <translation>Une lettre, enter, shift ou control</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Nom dans les données</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>Dans les données et les figures&#xa0;: a à z, 0 à 9, _ et -</translation>
+    </message>
+    <message>
+        <source>Ends clip and force from</source>
+        <translation>Arrête clip et force à partir de</translation>
+    </message>
+    <message>
+        <source>A value from which the clip ends; empty for none</source>
+        <translation>Une valeur à partir de laquelle le clip s’arrête&#xa0;; vide&#xa0;: aucune</translation>
+    </message>
+    <message>
+        <source>Text of the break after that</source>
+        <translation>Texte de la pause qui suit</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>souris</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>molette</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>touches fléchées</translation>
+    </message>
+    <message>
+        <source>Moved by</source>
+        <translation>Déplacé par</translation>
+    </message>
+    <message>
+        <source>Add a label</source>
+        <translation>Ajouter un libellé</translation>
+    </message>
+    <message>
+        <source>another label</source>
+        <translation>autre libellé</translation>
+    </message>
+    <message>
+        <source>another rating</source>
+        <translation>autre évaluation</translation>
+    </message>
+    <message>
+        <source>another kind of rating</source>
+        <translation>autre type d’évaluation</translation>
+    </message>
+</context>
+<context>
     <name>Reading</name>
     <message>
         <source>not stated</source>
@@ -5394,6 +5632,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>prêt</translation>
     </message>
     <message>
+        <source>between two clips</source>
+        <translation>entre deux clips</translation>
+    </message>
+    <message>
         <source>playing</source>
         <translation>lecture</translation>
     </message>
@@ -5460,12 +5702,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une sortie n’a pas joué ({0})</translation>
     </message>
     <message>
+        <source>{0} reached its limit</source>
+        <translation>{0} a atteint sa limite</translation>
+    </message>
+    <message>
         <source>force and video out of sync</source>
         <translation>force et vidéo désynchronisées</translation>
     </message>
     <message>
         <source>force and sound out of sync</source>
         <translation>force et son désynchronisés</translation>
+    </message>
+    <message>
+        <source>ratings could not be saved</source>
+        <translation>les évaluations n’ont pas pu être enregistrées</translation>
     </message>
     <message>
         <source>skipped</source>
@@ -5837,6 +6087,17 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>SpokenNumber</name>
+    <message>
+        <source>The number that was said</source>
+        <translation>Le nombre qui a été dit</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Valider</translation>
+    </message>
+</context>
+<context>
     <name>StartPanel</name>
     <message>
         <source>Participant</source>
@@ -5887,6 +6148,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Démarrer la séance</translation>
     </message>
     <message>
+        <source>Motion sensor of the demonstration</source>
+        <translation>Capteur de mouvement de la démonstration</translation>
+    </message>
+    <message>
+        <source>none; or what you move is felt, such as wt901:/dev/ttyUSB0</source>
+        <translation>aucun&#xa0;; sinon, ce que vous bougez est ressenti, par exemple wt901:/dev/ttyUSB0</translation>
+    </message>
+    <message>
         <source>Language of the pages</source>
         <translation>Langue des pages</translation>
     </message>
@@ -5897,6 +6166,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Devices</source>
         <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Démonstration</translation>
     </message>
     <message>
         <source>Checks</source>
@@ -6039,6 +6312,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Conditions</source>
         <translation>Conditions</translation>
+    </message>
+    <message>
+        <source>During clips</source>
+        <translation>Pendant les clips</translation>
     </message>
     <message>
         <source>Texts</source>
@@ -6524,6 +6801,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Boutons et messages</translation>
     </message>
     <message>
+        <source>During clips</source>
+        <translation>Pendant les clips</translation>
+    </message>
+    <message>
+        <source>Least time between two clips</source>
+        <translation>Temps minimal entre deux clips</translation>
+    </message>
+    <message>
         <source>A trial is marked as invalid above</source>
         <translation>Un essai est marqué comme non valide au-delà de</translation>
     </message>
@@ -6558,6 +6843,26 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Counts as</source>
         <translation>Compte pour</translation>
+    </message>
+    <message>
+        <source>Moved by</source>
+        <translation>Déplacé par</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+    <message>
+        <source>Asked for every</source>
+        <translation>Demandé toutes les</translation>
+    </message>
+    <message>
+        <source>Ends clip and force from</source>
+        <translation>Arrête clip et force à partir de</translation>
+    </message>
+    <message>
+        <source>Text of the break after that</source>
+        <translation>Texte de la pause qui suit</translation>
     </message>
     <message>
         <source>Title</source>
@@ -6867,8 +7172,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>La prise au fil du temps</translation>
     </message>
     <message>
-        <source>Click: seek. Left and Right: 1 s, with Shift 5 s. Wheel: zoom</source>
-        <translation>Clic&#xa0;: aller à. Gauche et droite&#xa0;: 1 s, avec Maj 5 s. Molette&#xa0;: zoomer</translation>
+        <source>Click: seek, beside a mark exactly to it. Left and Right: 1 s, with Shift 5 s. Up and Down: previous and next mark. Wheel: zoom</source>
+        <translation>Clic&#xa0;: aller à, ou exactement à une marque proche. Gauche et droite&#xa0;: 1 s, avec Maj 5 s. Haut et bas&#xa0;: marque précédente et suivante. Molette&#xa0;: zoomer</translation>
     </message>
 </context>
 <context>
@@ -6900,6 +7205,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>lost samples: {count}</source>
         <translation>mesures perdues&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>marks: {count}</source>
+        <translation>marques&#xa0;: {count}</translation>
     </message>
     <message>
         <source>residual of the sensor&apos;s clock: {ms} ms</source>
@@ -8617,16 +8926,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cela ressemble à des °/s&#xa0;: multipliez gx, gy, gz par 0.0174532925</translation>
     </message>
     <message>
-        <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
-        <translation>cela semble être en °/s&#xa0;: multipliez par 0.0174532925</translation>
-    </message>
-    <message>
         <source>it seems to be in g: multiply it by 9.80665</source>
         <translation>cela semble être en g&#xa0;: multipliez par 9.80665</translation>
-    </message>
-    <message>
-        <source>it seems to have been converted twice: multiply it by 57.2957795</source>
-        <translation>cela semble avoir été converti deux fois&#xa0;: multipliez par 57.2957795</translation>
     </message>
     <message>
         <source>it did not accept all of the data at {place}</source>
@@ -9117,6 +9418,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Choc (sinus amorti)</translation>
     </message>
     <message>
+        <source>LabRecorder did not start at port {port} ({reason})</source>
+        <translation>LabRecorder n’a pas démarré au port {port} ({reason})</translation>
+    </message>
+    <message>
+        <source>LabRecorder does not answer at port {port} ({reason})</source>
+        <translation>LabRecorder ne répond pas au port {port} ({reason})</translation>
+    </message>
+    <message>
+        <source>LabRecorder was closed at port {port} ({reason})</source>
+        <translation>LabRecorder a été fermé, port {port} ({reason})</translation>
+    </message>
+    <message>
         <source>Low-pass</source>
         <translation>Passe-bas</translation>
     </message>
@@ -9413,10 +9726,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ajoutez une réponse</translation>
     </message>
     <message>
-        <source>add one: whether force and video went together</source>
-        <translation>ajoutez-en une&#xa0;: si la force et la vidéo allaient ensemble</translation>
-    </message>
-    <message>
         <source>add yourself to the group {name}, log in again</source>
         <translation>ajoutez-vous au groupe {name} et reconnectez-vous</translation>
     </message>
@@ -9671,10 +9980,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>feedback {feedback} has no parameters</source>
         <translation>le retour {feedback} n’a pas de paramètres</translation>
-    </message>
-    <message>
-        <source>fifo: priority {n} is granted</source>
-        <translation>fifo&#xa0;: la priorité {n} est accordée</translation>
     </message>
     <message>
         <source>finding events</source>
@@ -10017,10 +10322,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>sa vidéo ne peut pas être lue</translation>
     </message>
     <message>
-        <source>kept out of deep sleep while a force may be on</source>
-        <translation>tenus à l’écart du sommeil profond tant qu’une force peut être active</translation>
-    </message>
-    <message>
         <source>kind of event</source>
         <translation>le type d’événement</translation>
     </message>
@@ -10035,10 +10336,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
         <translation>les axes de la correspondance doivent être une rotation (orthogonale, déterminant +1)</translation>
-    </message>
-    <message>
-        <source>may sleep deeply: the loop wakes up some 20 us later</source>
-        <translation>peuvent dormir profondément&#xa0;: la boucle se réveille environ 20 µs plus tard</translation>
     </message>
     <message>
         <source>method</source>
@@ -10173,14 +10470,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun sur USB</translation>
     </message>
     <message>
-        <source>normal: neither fifo nor short slices</source>
-        <translation>normal&#xa0;: ni fifo ni tranches courtes</translation>
-    </message>
-    <message>
-        <source>normal: this system grants nothing else</source>
-        <translation>normal&#xa0;: ce système n’accorde rien d’autre</translation>
-    </message>
-    <message>
         <source>not read: {what} ({count})</source>
         <translation>non lu&#xa0;: {what} ({count})</translation>
     </message>
@@ -10275,10 +10564,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>preset</source>
         <translation>le préréglage</translation>
-    </message>
-    <message>
-        <source>processors</source>
-        <translation>processeurs</translation>
     </message>
     <message>
         <source>rate-axes={axes} if the gyroscope is {how}</source>
@@ -10417,10 +10702,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la scène</translation>
     </message>
     <message>
-        <source>scheduling</source>
-        <translation>ordonnancement</translation>
-    </message>
-    <message>
         <source>see whether it is switched on</source>
         <translation>vérifiez qu’il est allumé</translation>
     </message>
@@ -10475,10 +10756,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>size of the force, every millisecond</source>
         <translation>norme de la force, chaque milliseconde</translation>
-    </message>
-    <message>
-        <source>slice: short slices, as fifo is not allowed</source>
-        <translation>slice&#xa0;: tranches courtes, car fifo n’est pas autorisé</translation>
     </message>
     <message>
         <source>smooth noise below 0.5 Hz, with the RMS of the realistic force</source>
@@ -10631,14 +10908,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the angular rate reaches {largest:.3g} rad/s when it is read in {rate_unit}, which no sensor shows</source>
         <translation>la vitesse angulaire atteint {largest:.3g} rad/s quand elle est lue en {rate_unit}, ce qu’aucun capteur ne montre</translation>
-    </message>
-    <message>
-        <source>the angular rate is about 57 times too high for how the direction of gravity changes</source>
-        <translation>la vitesse angulaire est environ 57 fois trop élevée au vu du changement de direction de la pesanteur</translation>
-    </message>
-    <message>
-        <source>the angular rate is about 57 times too low for how the direction of gravity changes</source>
-        <translation>la vitesse angulaire est environ 57 fois trop faible au vu du changement de direction de la pesanteur</translation>
     </message>
     <message>
         <source>the answer could not be saved ({reason})</source>
@@ -11025,6 +11294,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le micrologiciel du Falcon manque ({path})&#xa0;; il ne peut pas être transmis avec ce programme&#xa0;: prenez nvent_firmware.bin dans une archive des sources de libnifalcon et installez-le&#xa0;: Appareil &gt; Préparer l’appareil</translation>
     </message>
     <message>
+        <source>the analysis of {kind} trials is missing; install the extension that has it, or export the answers</source>
+        <translation>l’analyse des essais {kind} manque&#xa0;; installez l’extension qui la contient, ou exportez les réponses</translation>
+    </message>
+    <message>
         <source>the board at {where} has restarted ({said}); check its supply and cable</source>
         <translation>la carte sur {where} a redémarré ({said})&#xa0;; vérifiez son alimentation et son câble</translation>
     </message>
@@ -11115,10 +11388,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the motion covers {first_s:.1f} to {last_s:.1f} s of the clip&apos;s {duration_s:.1f} s; there is no force outside</source>
         <translation>le mouvement couvre {first_s:.1f} à {last_s:.1f} s des {duration_s:.1f} s du clip&#xa0;; il n’y a pas de force en dehors</translation>
-    </message>
-    <message>
-        <source>the motion does not clearly agree with the unit of the angular rate; it was taken as it is</source>
-        <translation>le mouvement ne concorde pas clairement avec l’unité de la vitesse angulaire&#xa0;; elle a été reprise telle quelle</translation>
     </message>
     <message>
         <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without an estimate</source>
@@ -11561,6 +11830,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Retard</translation>
     </message>
     <message>
+        <source>During each clip a slider says how badly force and video fit; the recorded force beside a weaker and a late one and none.</source>
+        <translation>Pendant chaque clip, un curseur dit à quel point force et vidéo s’accordent mal&#xa0;; la force enregistrée à côté d’une plus faible, d’une en retard et d’aucune.</translation>
+    </message>
+    <message>
+        <source>Each clip twice, once with a late force; the delay follows the answers (2-down 1-up).</source>
+        <translation>Chaque clip deux fois, dont une avec une force en retard&#xa0;; le retard suit les réponses (2-down 1-up).</translation>
+    </message>
+    <message>
+        <source>Each clip twice, once with a stronger or weaker force; in which one it was stronger (forced choice).</source>
+        <translation>Chaque clip deux fois, dont une avec une force plus forte ou plus faible&#xa0;; dans lequel elle était plus forte (choix forcé).</translation>
+    </message>
+    <message>
         <source>Effects</source>
         <translation>Effets</translation>
     </message>
@@ -11575,6 +11856,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Firmware</source>
         <translation>Micrologiciel</translation>
+    </message>
+    <message>
+        <source>Forces of several strengths; a number in proportion after each clip.</source>
+        <translation>Des forces de plusieurs intensités&#xa0;; un nombre proportionnel après chaque clip.</translation>
     </message>
     <message>
         <source>Game pad that Linux can rumble</source>
@@ -11593,8 +11878,32 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Inverse3 sur un service simulé</translation>
     </message>
     <message>
+        <source>Just noticeable change</source>
+        <translation>Changement juste perceptible</translation>
+    </message>
+    <message>
+        <source>LabRecorder cannot write into a folder with braces in its name</source>
+        <translation>LabRecorder ne peut pas écrire dans un dossier dont le nom contient des accolades</translation>
+    </message>
+    <message>
+        <source>LabRecorder has not begun its file</source>
+        <translation>LabRecorder n’a pas commencé son fichier</translation>
+    </message>
+    <message>
+        <source>LabRecorder is still starting</source>
+        <translation>LabRecorder est encore en train de démarrer</translation>
+    </message>
+    <message>
         <source>Linux</source>
         <translation>Linux</translation>
+    </message>
+    <message>
+        <source>Magnitude estimation</source>
+        <translation>Estimation de grandeur</translation>
+    </message>
+    <message>
+        <source>Motion incongruence</source>
+        <translation>Incongruence du mouvement</translation>
     </message>
     <message>
         <source>No motion: force here is gravity that was not removed</source>
@@ -11625,12 +11934,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Sortie son {card} avec les canaux {channels}</translation>
     </message>
     <message>
+        <source>Staircase</source>
+        <translation>Escalier</translation>
+    </message>
+    <message>
+        <source>Susceptibility (MSSQ-short) and symptoms (SSQ) before and after; during each clip sickness (FMS) each minute, which can end it, and vection by a held key.</source>
+        <translation>Susceptibilité (MSSQ-short) et symptômes (SSQ) avant et après&#xa0;; pendant chaque clip, malaise (FMS) chaque minute, qui peut y mettre fin, et vection par une touche maintenue.</translation>
+    </message>
+    <message>
         <source>Wheel or joystick with a motor</source>
         <translation>Volant ou joystick à moteur</translation>
     </message>
     <message>
         <source>a Williams design contains every pair of neighbours, also of one sequence</source>
         <translation>un plan de Williams contient chaque paire de voisins, même d’une seule séquence</translation>
+    </message>
+    <message>
+        <source>a death ends the force when the kernel has cleared up, 10 to 80 ms</source>
+        <translation>un arrêt brutal coupe la force une fois que le noyau a fait le ménage, 10 à 80 ms</translation>
+    </message>
+    <message>
+        <source>a force is not of this study</source>
+        <translation>une force n’est pas de cette étude</translation>
     </message>
     <message>
         <source>a frame has the shape {shape}, expected {expected} of uint8</source>
@@ -11651,6 +11976,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>a whole number</source>
         <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>add one: it is analysed</source>
+        <translation>ajoutez-en une&#xa0;: elle est analysée</translation>
     </message>
     <message>
         <source>adding telemetry</source>
@@ -11675,6 +12004,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>another rendering needs the folder of the sequence; unpack it</source>
         <translation>un autre rendu demande le dossier de la séquence&#xa0;; dépaquetez-la</translation>
+    </message>
+    <message>
+        <source>cannot be opened again</source>
+        <translation>ne peut pas être rouvert</translation>
     </message>
     <message>
         <source>check the address and the network</source>
@@ -11705,12 +12038,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la condition {key} n’est pas dans l’étude</translation>
     </message>
     <message>
+        <source>connection ended</source>
+        <translation>connexion terminée</translation>
+    </message>
+    <message>
         <source>converting</source>
         <translation>conversion</translation>
     </message>
     <message>
         <source>copying the clip</source>
         <translation>copie du clip</translation>
+    </message>
+    <message>
+        <source>cumulative-link mixed model ({link}): likelihood ratio of all feedbacks, pairs by Wald&apos;s z with Holm</source>
+        <translation>modèle mixte à lien cumulatif ({link})&#xa0;: rapport de vraisemblance de tous les retours, paires par le z de Wald avec Holm</translation>
     </message>
     <message>
         <source>does not give parts of this file</source>
@@ -11749,6 +12090,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la clé {key!r} figure deux fois</translation>
     </message>
     <message>
+        <source>enter a feedback</source>
+        <translation>indiquez un retour</translation>
+    </message>
+    <message>
         <source>estimated from the picture</source>
         <translation>estimé d’après l’image</translation>
     </message>
@@ -11777,6 +12122,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun ordre trouvé dans lequel aucune séquence n’est jouée deux fois de suite</translation>
     </message>
     <message>
+        <source>get the package again, or pack the study again</source>
+        <translation>procurez-vous de nouveau le paquet, ou empaquetez de nouveau l’étude</translation>
+    </message>
+    <message>
         <source>give a link that needs none, such as a signed one</source>
         <translation>donnez un lien qui s’en passe, par exemple un lien signé</translation>
     </message>
@@ -11797,8 +12146,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>a un nombre de colonnes différent</translation>
     </message>
     <message>
+        <source>has no choice of one answer after the clips</source>
+        <translation>n’a pas de question à choix unique après les clips</translation>
+    </message>
+    <message>
         <source>has no question after a clip</source>
         <translation>ne demande rien après un clip</translation>
+    </message>
+    <message>
+        <source>has no question for a number after a clip</source>
+        <translation>n’a pas de question demandant un nombre après un clip</translation>
     </message>
     <message>
         <source>has no rows</source>
@@ -11807,6 +12164,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has records of version {found}, this program reads {version}</source>
         <translation>contient des données de la version {found}, ce programme lit {version}</translation>
+    </message>
+    <message>
+        <source>has two axes</source>
+        <translation>a deux axes</translation>
     </message>
     <message>
         <source>heard</source>
@@ -11821,6 +12182,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas de mouvement lisible</translation>
     </message>
     <message>
+        <source>hypothesis {text!r}: there is no {name!r}; choose one of {known}</source>
+        <translation>hypothèse {text!r}&#xa0;: il n’y a pas de {name!r}&#xa0;; choisissez parmi {known}</translation>
+    </message>
+    <message>
+        <source>imu: {what}; from now on it has another clock</source>
+        <translation>imu&#xa0;: {what}&#xa0;; à partir de maintenant, elle a une autre horloge</translation>
+    </message>
+    <message>
+        <source>imu: {what}; the rest goes on, and it is taken up again as soon as it is back</source>
+        <translation>imu&#xa0;: {what}&#xa0;; le reste continue, et elle sera reprise dès son retour</translation>
+    </message>
+    <message>
         <source>intensities beyond their range were limited</source>
         <translation>les intensités hors de leur plage ont été limitées</translation>
     </message>
@@ -11833,8 +12206,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est endommagé ou manquant, et la définition de l’étude a changé</translation>
     </message>
     <message>
+        <source>is damaged or was altered (its checksum differs)</source>
+        <translation>est endommagé ou a été modifié (sa somme de contrôle diffère)</translation>
+    </message>
+    <message>
         <source>is empty or has become shorter</source>
         <translation>est vide ou a raccourci</translation>
+    </message>
+    <message>
+        <source>is missing: what the other force is compared with</source>
+        <translation>manque&#xa0;: ce à quoi l’autre force est comparée</translation>
     </message>
     <message>
         <source>is not UTF-8 text</source>
@@ -11865,6 +12246,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne décrit pas d’étude</translation>
     </message>
     <message>
+        <source>is not used in ratings by {kind}</source>
+        <translation>n’est pas utilisé dans les évaluations par {kind}</translation>
+    </message>
+    <message>
+        <source>is not used without stop_at</source>
+        <translation>n’est pas utilisé sans stop_at</translation>
+    </message>
+    <message>
         <source>is not valid JSON ({reason})</source>
         <translation>n’est pas du JSON valable ({reason})</translation>
     </message>
@@ -11873,12 +12262,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est utilisé qu’après le dernier essai</translation>
     </message>
     <message>
+        <source>is only used with LSL</source>
+        <translation>n’est utilisé qu’avec LSL</translation>
+    </message>
+    <message>
         <source>is refused by its server (status {status})</source>
         <translation>est refusé par son serveur (statut {status})</translation>
     </message>
     <message>
         <source>is the consent of {code}</source>
         <translation>est le consentement de {code}</translation>
+    </message>
+    <message>
+        <source>is the plan of the study {found}, not {expected}</source>
+        <translation>est le plan de l’étude {found}, et non de {expected}</translation>
     </message>
     <message>
         <source>is the session of {code}</source>
@@ -11933,8 +12330,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cela ressemble à des nanosecondes&#xa0;: divisez {scale} par 1000000000</translation>
     </message>
     <message>
+        <source>it played another sequence {key!r} than was packed</source>
+        <translation>elle a joué une autre séquence {key!r} que celle qui a été empaquetée</translation>
+    </message>
+    <message>
+        <source>it ran a definition that was altered after the study was packed</source>
+        <translation>elle a suivi une définition modifiée après l’empaquetage de l’étude</translation>
+    </message>
+    <message>
         <source>it seems to be in {unit}: multiply it by {factor:.6g}</source>
         <translation>cela semble être en {unit}&#xa0;: multipliez par {factor:.6g}</translation>
+    </message>
+    <message>
+        <source>it was closed</source>
+        <translation>elle a été fermée</translation>
     </message>
     <message>
         <source>it was recorded at {captured_hz:g} frames per second and plays at {shown_hz:g}</source>
@@ -11955,6 +12364,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>its columns are known</source>
         <translation>ses colonnes sont connues</translation>
+    </message>
+    <message>
+        <source>its definition was altered since the study was packed</source>
+        <translation>sa définition a été modifiée depuis l’empaquetage de l’étude</translation>
     </message>
     <message>
         <source>its edit list stretches time</source>
@@ -12077,6 +12490,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>réponses invalides de l’appareil</translation>
     </message>
     <message>
+        <source>media keys; the screen stays awake while a clip plays</source>
+        <translation>touches multimédias&#xa0;; l’écran reste allumé pendant la lecture d’un clip</translation>
+    </message>
+    <message>
         <source>mirrored</source>
         <translation>inversé en miroir</translation>
     </message>
@@ -12095,6 +12512,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>move the grip to the centre first, then re-arm again</source>
         <translation>ramenez d’abord la poignée au centre, puis réarmez encore une fois</translation>
+    </message>
+    <message>
+        <source>must be a letter from a to z, enter, shift or control</source>
+        <translation>doit être une lettre de a à z, enter, shift ou control</translation>
+    </message>
+    <message>
+        <source>must be more than least</source>
+        <translation>doit être supérieur à least</translation>
     </message>
     <message>
         <source>must be one of the choices</source>
@@ -12135,6 +12560,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no force track</source>
         <translation>pas de piste de force</translation>
+    </message>
+    <message>
+        <source>no joystick was found, but a rating is moved by one</source>
+        <translation>aucun joystick n’a été trouvé, mais une évaluation en demande un</translation>
+    </message>
+    <message>
+        <source>no media keys, and the screen may go dark while a clip plays</source>
+        <translation>pas de touches multimédias, et l’écran peut s’éteindre pendant la lecture d’un clip</translation>
+    </message>
+    <message>
+        <source>no part of the program is paged out</source>
+        <translation>aucune partie du programme n’est déplacée sur le disque</translation>
     </message>
     <message>
         <source>no participant {code}</source>
@@ -12193,6 +12630,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>sur {count} appareils de référence, le premier a été pris</translation>
     </message>
     <message>
+        <source>offer the first and the second clip</source>
+        <translation>proposez le premier et le second clip</translation>
+    </message>
+    <message>
+        <source>only {free_mb} MB of the disk are free, enough for {minutes:.0f} min</source>
+        <translation>il ne reste que {free_mb} Mo libres sur le disque, assez pour {minutes:.0f} min</translation>
+    </message>
+    <message>
         <source>open it again</source>
         <translation>ouvrez-le de nouveau</translation>
     </message>
@@ -12225,8 +12670,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>lecteur terminé</translation>
     </message>
     <message>
+        <source>plug it in, or add yourself to the group &apos;input&apos;</source>
+        <translation>branchez-le, ou ajoutez-vous au groupe &apos;input&apos;</translation>
+    </message>
+    <message>
+        <source>plug it in, then begin the session again</source>
+        <translation>branchez-le, puis recommencez la séance</translation>
+    </message>
+    <message>
         <source>predicting excursions</source>
         <translation>prévision des excursions</translation>
+    </message>
+    <message>
+        <source>processors are kept out of deep sleep while a force may be on</source>
+        <translation>les processeurs restent hors du sommeil profond tant qu’une force peut agir</translation>
+    </message>
+    <message>
+        <source>processors may sleep deeply: the loop wakes up some 20 us later</source>
+        <translation>les processeurs peuvent dormir profondément&#xa0;: la boucle se réveille environ 20 µs plus tard</translation>
     </message>
     <message>
         <source>pull the grip all the way out, then push it in until it locks</source>
@@ -12337,6 +12798,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>remultiplexez-le sans eux avec MKVToolNix ou FFmpeg</translation>
     </message>
     <message>
+        <source>rename it</source>
+        <translation>renommez-le</translation>
+    </message>
+    <message>
         <source>rename it to {name!r} to feel it as {as_what}</source>
         <translation>renommez-le {name!r} pour le sentir comme {as_what}</translation>
     </message>
@@ -12389,6 +12854,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>séance {code}&#xa0;: {key} a été omis&#xa0;; absent de la définition</translation>
     </message>
     <message>
+        <source>set &apos;lsl&apos; to true</source>
+        <translation>mettez &apos;lsl&apos; à true</translation>
+    </message>
+    <message>
         <source>set the device up first</source>
         <translation>configurez d’abord l’appareil</translation>
     </message>
@@ -12399,6 +12868,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>simulated {begin} of {studies} studies</source>
         <translation>{begin} études simulées sur {studies}</translation>
+    </message>
+    <message>
+        <source>simulating studies of {size} participants</source>
+        <translation>simulation d’études de {size} participants</translation>
     </message>
     <message>
         <source>skipping a step needs a reason</source>
@@ -12417,12 +12890,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>pics retirés de {force} échantillons de l’accéléromètre, {rate} du gyroscope, {field} du magnétomètre&#xa0;; {kept} échantillons saillants laissés comme mouvement</translation>
     </message>
     <message>
+        <source>start LabRecorder on this computer, tick &apos;Enable RCS&apos; and look at its window, then begin the session again</source>
+        <translation>lancez LabRecorder sur cet ordinateur, cochez «&#xa0;Enable RCS&#xa0;» et regardez sa fenêtre, puis recommencez la séance</translation>
+    </message>
+    <message>
         <source>start a new session</source>
         <translation>commencez-en une nouvelle</translation>
     </message>
     <message>
+        <source>start them, then begin the trial again</source>
+        <translation>lancez-les, puis recommencez l’essai</translation>
+    </message>
+    <message>
         <source>starting</source>
         <translation>démarrage</translation>
+    </message>
+    <message>
+        <source>stop what it records, then begin the session again</source>
+        <translation>arrêtez ce qu’il enregistre, puis recommencez la séance</translation>
     </message>
     <message>
         <source>stopped: {cause}; {remedy}</source>
@@ -12461,12 +12946,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>prend la colonne {number} pour {name}, mais elle contient {text!r}&#xa0;; ignorez-la avec -, ou écrivez-la en nombres</translation>
     </message>
     <message>
-        <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
-        <translation>l’analyse des essais de cohérence manque&#xa0;; installez l’extension qui la contient, ou exportez les réponses</translation>
-    </message>
-    <message>
         <source>the angular rate is not that of the camera in the frames of the clip, but would be if it were {scale:.3g} times as large</source>
         <translation>la vitesse angulaire n’est pas celle de la caméra dans les images du clip, mais le serait si elle était {scale:.3g} fois plus grande</translation>
+    </message>
+    <message>
+        <source>the answers to {key!r} must be two: the clips</source>
+        <translation>les réponses à {key!r} doivent être deux&#xa0;: les clips</translation>
     </message>
     <message>
         <source>the camera does not move: there is nothing to estimate</source>
@@ -12535,6 +13020,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the current page is {page}, not {expected}</source>
         <translation>c’est la page {page}, pas {expected}</translation>
+    </message>
+    <message>
+        <source>the death of the player or its loop ends the force at once</source>
+        <translation>l’arrêt brutal du lecteur ou de sa boucle coupe aussitôt la force</translation>
     </message>
     <message>
         <source>the device driver failed ({reason}); report this, and choose the device again</source>
@@ -12609,12 +13098,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le dossier personnel est inconnu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
     </message>
     <message>
+        <source>the joystick cannot be opened ({reason})</source>
+        <translation>le joystick ne peut pas être ouvert ({reason})</translation>
+    </message>
+    <message>
         <source>the kind is not known</source>
         <translation>le type est inconnu</translation>
     </message>
     <message>
         <source>the language</source>
         <translation>le langage</translation>
+    </message>
+    <message>
+        <source>the last step must be above 0 and not above the first change</source>
+        <translation>le dernier pas doit être supérieur à 0 et ne pas dépasser le premier changement</translation>
     </message>
     <message>
         <source>the last {count} samples are missing</source>
@@ -12625,8 +13122,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le journal ne contient pas de vitesse angulaire à laquelle comparer les images</translation>
     </message>
     <message>
+        <source>the loop comes before other programs: 3 late wake-ups a minute</source>
+        <translation>la boucle passe avant les autres programmes&#xa0;: 3 réveils tardifs par minute</translation>
+    </message>
+    <message>
+        <source>the loop competes with other programs: 22 late wake-ups a minute</source>
+        <translation>la boucle est en concurrence avec d’autres programmes&#xa0;: 22 réveils tardifs par minute</translation>
+    </message>
+    <message>
         <source>the method frames needs a clip</source>
         <translation>la méthode frames a besoin d’un clip</translation>
+    </message>
+    <message>
+        <source>the mixed model cannot be fitted: answers of at least {least} participants to all feedbacks are needed, and not all alike</source>
+        <translation>le modèle mixte ne peut pas être ajusté&#xa0;: il faut des réponses d’au moins {least} participants à tous les retours, et pas toutes pareilles</translation>
+    </message>
+    <message>
+        <source>the mixed model cannot be fitted: nearly all answers to a feedback are at an end of the scale; use the rank tests</source>
+        <translation>le modèle mixte ne peut pas être ajusté&#xa0;: presque toutes les réponses à un retour sont à un bout de l’échelle&#xa0;; utilisez les tests de rangs</translation>
     </message>
     <message>
         <source>the motion in clips of Sony and Insta360 is not read</source>
@@ -12669,8 +13182,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la partie lente de la force spécifique est la pesanteur</translation>
     </message>
     <message>
+        <source>the standard is not one of two forces</source>
+        <translation>la référence n’est pas l’une de deux forces</translation>
+    </message>
+    <message>
         <source>the text is too long to be saved ({found_kb} KB, at most {most_kb} KB)</source>
         <translation>le texte est trop long pour être enregistré ({found_kb} Ko, au plus {most_kb} Ko)</translation>
+    </message>
+    <message>
+        <source>the window waits up to 80 ms for work in the background</source>
+        <translation>la fenêtre attend jusqu’à 80 ms le travail en arrière-plan</translation>
+    </message>
+    <message>
+        <source>the window, and without fifo the loop, have short time slices</source>
+        <translation>la fenêtre et, sans fifo, la boucle ont des tranches de temps courtes</translation>
+    </message>
+    <message>
+        <source>the window, and without fifo the loop, wait: 437 late wake-ups a minute</source>
+        <translation>la fenêtre et, sans fifo, la boucle attendent&#xa0;: 437 réveils tardifs par minute</translation>
     </message>
     <message>
         <source>there are no frames to write</source>
@@ -12697,6 +13226,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il n’y a pas de mouvement où chercher des événements</translation>
     </message>
     <message>
+        <source>there is no number above 0 to analyse</source>
+        <translation>il n’y a pas de nombre supérieur à 0 à analyser</translation>
+    </message>
+    <message>
         <source>there is no output {name!r}</source>
         <translation>il n’y a pas de sortie {name!r}</translation>
     </message>
@@ -12711,6 +13244,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>there is none yet</source>
         <translation>il n’y en a pas encore</translation>
+    </message>
+    <message>
+        <source>these LSL streams are not on this computer: {names}</source>
+        <translation>ces flux LSL ne sont pas sur cet ordinateur&#xa0;: {names}</translation>
     </message>
     <message>
         <source>this condition needs the sequence of the clip</source>
@@ -12819,10 +13356,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>SparkFun Ultimate IMU, text of its stock firmware</source>
         <translation>SparkFun Ultimate IMU, texte d’origine</translation>
-    </message>
-    <message>
-        <source>Susceptibility (MSSQ-short) and symptoms (SSQ) before, sickness (FMS) and vection after each clip, symptoms again at the end.</source>
-        <translation>Susceptibilité (MSSQ-short) et symptômes (SSQ) avant, malaise (FMS) et vection après chaque clip, symptômes de nouveau à la fin.</translation>
     </message>
     <message>
         <source>The Haptic Experience Inventory (HXI) after each clip; its wording is to be entered from your copy.</source>
@@ -13077,10 +13610,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>rien n’est enregistré&#xa0;; donnez une caméra, une IMU, ou les deux</translation>
     </message>
     <message>
-        <source>only {free_mb} MB of the disk are free</source>
-        <translation>il ne reste que {free_mb} Mo libres sur le disque</translation>
-    </message>
-    <message>
         <source>open an experiment in phyphox, and Allow remote access in its menu</source>
         <translation>ouvrez une expérience dans phyphox, puis «&#xa0;Allow remote access&#xa0;» dans son menu</translation>
     </message>
@@ -13229,10 +13758,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ce n’est pas la vidéo pour laquelle la force a été faite ({reason})&#xa0;: elle est lue sans force</translation>
     </message>
     <message>
-        <source>this system takes no request to keep them awake</source>
-        <translation>ce système n’accepte aucune demande de les garder éveillés</translation>
-    </message>
-    <message>
         <source>three channels were taken as x, y and z</source>
         <translation>trois canaux ont été pris comme x, y et z</translation>
     </message>
@@ -13273,6 +13798,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>débranché</translation>
     </message>
     <message>
+        <source>unset {switch}</source>
+        <translation>supprimez la variable {switch}</translation>
+    </message>
+    <message>
         <source>update the app, or choose another source</source>
         <translation>mettez l’application à jour, ou choisissez une autre source</translation>
     </message>
@@ -13305,12 +13834,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>image et son</translation>
     </message>
     <message>
+        <source>wait a moment</source>
+        <translation>attendez un instant</translation>
+    </message>
+    <message>
         <source>wait until nothing writes to it, then start again</source>
         <translation>attendez que plus rien n’y écrive, puis recommencez</translation>
     </message>
     <message>
         <source>wait until that has finished, or close it, then try again</source>
         <translation>attendez qu’il ait fini, ou fermez-le, puis réessayez</translation>
+    </message>
+    <message>
+        <source>was altered since the study was packed</source>
+        <translation>a été modifié depuis l’empaquetage de l’étude</translation>
     </message>
     <message>
         <source>was changed by another program meanwhile</source>
@@ -13361,6 +13898,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ce qui est avant 0 s a été omis</translation>
     </message>
     <message>
+        <source>what the processes share is a file for a moment, in /dev/shm</source>
+        <translation>ce que les processus partagent est un instant un fichier, dans /dev/shm</translation>
+    </message>
+    <message>
+        <source>what the processes share is memory without a name</source>
+        <translation>ce que les processus partagent est une mémoire sans nom</translation>
+    </message>
+    <message>
         <source>what was recorded lasts from {first_s:.2f} to {last_s:.2f} s, the clip from 0 to {duration_s:.2f} s: it was cut, or plays at another speed</source>
         <translation>ce qui a été enregistré va de {first_s:.2f} à {last_s:.2f} s, le clip de 0 à {duration_s:.2f} s&#xa0;: il a été coupé, ou est lu à une autre vitesse</translation>
     </message>
@@ -13375,6 +13920,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>which nothing here reads</source>
         <translation>que rien ici ne lit</translation>
+    </message>
+    <message>
+        <source>while memory is short, the window freezes for up to a second</source>
+        <translation>quand la mémoire manque, la fenêtre se fige jusqu’à une seconde</translation>
     </message>
     <message>
         <source>whoever is in the network and knows the URL can send to port {port} of this machine while it records.</source>
@@ -13403,6 +13952,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>without labels</source>
         <translation>sans libellés</translation>
+    </message>
+    <message>
+        <source>work in the background takes only what nobody else wants</source>
+        <translation>le travail en arrière-plan ne prend que ce que personne d’autre ne veut</translation>
     </message>
     <message>
         <source>write numbers without units or signs, or choose another log</source>
@@ -13497,6 +14050,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{count} entrées manquent, la première est la numéro {number}</translation>
     </message>
     <message>
+        <source>{count} rows are damaged</source>
+        <translation>{count} lignes sont endommagées</translation>
+    </message>
+    <message>
         <source>{count} text answers were left out: they have not been reviewed</source>
         <translation>{count} réponses en texte ont été omises&#xa0;: elles n’ont pas été relues</translation>
     </message>
@@ -13529,12 +14086,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
     </message>
     <message>
+        <source>{file}: is not of this session</source>
+        <translation>{file}&#xa0;: n’est pas de cette séance</translation>
+    </message>
+    <message>
         <source>{file}: {what}</source>
         <translation>{file}&#xa0;: {what}</translation>
     </message>
     <message>
         <source>{file}: {what}; choose the mounting {name}, or another of {known}, or auto for what the frames tell, or forward to keep its axes{sign}</source>
         <translation>{file}&#xa0;: {what}&#xa0;; choisissez la fixation {name}, ou une autre de {known}, ou auto pour celle que montrent les images, ou forward pour garder ses axes{sign}</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be written ({reason}); what was recorded until now is kept</source>
+        <translation>impossible d’écrire dans {folder} ({reason})&#xa0;; ce qui a été enregistré jusqu’ici est conservé</translation>
     </message>
     <message>
         <source>{free_gb:.1f} GB free</source>
@@ -13547,6 +14112,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{how}; or {others}</source>
         <translation>{how}&#xa0;; ou {others}</translation>
+    </message>
+    <message>
+        <source>{key!r} is not a feedback</source>
+        <translation>{key!r} n’est pas un retour</translation>
     </message>
     <message>
         <source>{key!r} is the name of another condition</source>
@@ -13623,6 +14192,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name!r} is the name of a condition; choose another name</source>
         <translation>{name!r} est le nom d’une condition&#xa0;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>{name!r} moves no slider</source>
+        <translation>{name!r} ne déplace aucun curseur</translation>
     </message>
     <message>
         <source>{name!r} must end with .mkv (one file) or .mp4 (with a side-car)</source>
@@ -13739,6 +14312,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} was taken as {modality}</source>
         <translation>{name} a été pris comme {modality}</translation>
+    </message>
+    <message>
+        <source>{name} would be above {most:g}</source>
+        <translation>{name} dépasserait {most:g}</translation>
     </message>
     <message>
         <source>{name}: {kind} has no such parameter; it has {known}</source>
@@ -13865,6 +14442,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{source}&#xa0;: {question} Autorisez-le avec {option} {source}:{text},allow=yes</translation>
     </message>
     <message>
+        <source>{stream}: ends here, the disk at {disk} is full; what was recorded is kept</source>
+        <translation>{stream}&#xa0;: s’arrête ici, le disque sur {disk} est plein&#xa0;; ce qui a été enregistré est conservé</translation>
+    </message>
+    <message>
         <source>{stream}: is back</source>
         <translation>{stream}&#xa0;: de retour</translation>
     </message>
@@ -13875,6 +14456,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{stream}: {what}</source>
         <translation>{stream}&#xa0;: {what}</translation>
+    </message>
+    <message>
+        <source>{switch} names {unknown}, which is no facility; choose from {known}</source>
+        <translation>{switch} nomme {unknown}, qui n’est pas une fonction du système&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the wearer&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -13957,6 +14542,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{unseen_s:.0f} s sans estimation&#xa0;: coupes, images sombres, floues ou vides</translation>
     </message>
     <message>
+        <source>{used!r} is used by another rating</source>
+        <translation>{used!r} est utilisé par une autre évaluation</translation>
+    </message>
+    <message>
         <source>{value!r} is not a sequence of this study</source>
         <translation>{value!r} n’est pas une séquence de cette étude</translation>
     </message>
@@ -13967,10 +14556,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{value} is not allowed</source>
         <translation>{value} n’est pas permis</translation>
-    </message>
-    <message>
-        <source>{what} ({limits})</source>
-        <translation>{what} ({limits})</translation>
     </message>
     <message>
         <source>{what} ({proof})</source>

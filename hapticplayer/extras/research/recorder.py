@@ -18,6 +18,9 @@ from hapticplayer.study.session_folder import StoredSession
 
 _ANSWER, _ANSWER_S = b"OK", 10.0
 _BEGUN = ("begin", "resume")
+_NO_ANSWER = Message("LabRecorder does not answer at port {port} ({reason})")
+_CLOSED = Message("LabRecorder was closed at port {port} ({reason})")
+_NOT_STARTED = Message("LabRecorder did not start at port {port} ({reason})")
 _IN_LABRECORDER = Message(
     "start LabRecorder on this computer, tick 'Enable RCS' and look at its window, then "
     "begin the session again"
@@ -44,7 +47,7 @@ class LabRecorder:
         try:
             self._wire = socket.create_connection(("127.0.0.1", port), _ANSWER_S)
         except OSError as problem:
-            raise self._refused("does not answer", problem) from problem
+            raise self._refused(_NO_ANSWER, problem) from problem
 
     def begin(self, session: StoredSession) -> None:
         """Record this session from now on, in its folder; returns at once."""
@@ -62,7 +65,7 @@ class LabRecorder:
         if self._problem is not None:
             raise self._problem
         if not self._is_connected():
-            raise self._refused("was closed", None)
+            raise self._refused(_CLOSED, None)
         if not self._file.is_file():
             raise StudyError(
                 "LabRecorder has not begun its file",
@@ -83,7 +86,7 @@ class LabRecorder:
             for line in lines:
                 self._send(line)
         except OSError as problem:
-            self._problem = self._refused("did not start", problem)
+            self._problem = self._refused(_NOT_STARTED, problem)
 
     def _send(self, line: str) -> None:
         self._wire.sendall(f"{line}\n".encode())
@@ -105,13 +108,9 @@ class LabRecorder:
             self._wire.settimeout(_ANSWER_S)
 
     def _refused(self, what: str, reason: OSError | None) -> StudyError:
-        return StudyError(
-            "LabRecorder {what} at port {port} ({reason})",
-            remedy=_IN_LABRECORDER,
-            what=Message(what),
-            port=self._port,
-            reason=message_of(reason) if reason else Message("connection ended"),
-        )
+        why = message_of(reason) if reason else Message("connection ended")
+        what = Message(what, port=self._port, reason=why)
+        return StudyError(what, remedy=_IN_LABRECORDER)
 
 
 def _lines(session: StoredSession, run: int) -> list[str]:
