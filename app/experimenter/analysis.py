@@ -255,8 +255,8 @@ def _style() -> str:
     return f"""
 h2 {{ color: {theme.ACCENT}; }}
 table {{ margin-top: 4px; margin-bottom: 14px; }}
-th {{ color: {theme.DIM}; padding: 1px 9px; text-align: right; }}
-td {{ padding: 1px 9px; text-align: right; }}
+th {{ color: {theme.DIM}; padding: 1px 7px; text-align: right; }}
+td {{ padding: 1px 7px; text-align: right; }}
 caption {{ font-weight: bold; }}
 img {{ max-width: 100%; }}
 """

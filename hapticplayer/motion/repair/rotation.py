@@ -41,10 +41,8 @@ LEAST_TURN_RAD = 0.1
 # optical truth and simulated rides, in parts of 10 s to the whole, show in 20 s -0.6 for
 # other axes and -1.1 for other clocks; for other scales -1.5, as what swings keeps the force
 # in place, and what rotates fast averages the acceleration of a car. None is 57 times as fast.
-AXES_IN_DOUBT, CLOCK_IN_DOUBT, OF_ONE_WINDOW = -0.6, -0.95, 1.2
+AXES_IN_DOUBT, CLOCK_IN_DOUBT, OF_ONE_WINDOW = -0.6, -0.95, 0.8
 SCALE_IN_DOUBT, DOUBLED_IN_DOUBT, DEGREES_IN_DOUBT = -1.8, -0.9, -0.45
-# What one window shows falsely, others seldom share.
-BY_NUMBER = 4.0 / 3.0
 # Where a turn of gravity is not shown at all, a higher rate needs less.
 UNSEEN_IN_DOUBT = -0.8
 # Axes whose evidence is this near may be the ones.
@@ -162,7 +160,7 @@ class RotationWindows:
 
     def least(self, evidence: float) -> float:
         """What is asked for of so many windows."""
-        return evidence - float(OF_ONE_WINDOW / self.number**BY_NUMBER)
+        return evidence - OF_ONE_WINDOW / self.number
 
     def rms_radps(self) -> float:
         """The RMS of the rate."""

@@ -229,7 +229,6 @@ def _statistic(link: LinkFunction) -> Statistic:
         of="measure: pair",
         columns=(
             ReportColumn("n", "n", _count),
-            ReportColumn("levels", "levels", _count),
             ReportColumn("chi²", "chi2"),
             ReportColumn("df", "df", _count),
             ReportColumn("p (all)", "p_all", p_value),
@@ -241,8 +240,8 @@ def _statistic(link: LinkFunction) -> Statistic:
             ReportColumn("p (Holm)", "p_holm", p_value),
             *((at_cuts,) if is_logit else ()),
         ),
-        note="Row of a measure: likelihood ratio of all feedbacks. Levels: steps of an item, "
-        "else classes. Difference: second feedback "
+        note="Row of a measure: likelihood ratio of all feedbacks. Sums and scores entered in "
+        "up to ten classes. Difference: second feedback "
         "less first, on the latent scale."
         + (
             f" At single cuts: smallest and largest of the same from answers above or below a "

@@ -149,7 +149,7 @@ def test_merging_tells_conflicts_by_status(run, folder, code, tmp_path):
     shutil.rmtree(folder / "sessions" / code)
     status, report, _ = run("merge", folder, tmp_path / "other", "--json")
     assert status == 0
-    assert report["added"] == [code]
+    assert report[0]["added"] == [code]
     path = tmp_path / "other" / "sessions" / code / "answers.jsonl"
     path.write_bytes(b"")
     status, _, _ = run("merge", folder, tmp_path / "other")

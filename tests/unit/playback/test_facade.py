@@ -29,6 +29,7 @@ def test_the_player_has_commands_and_no_public_parts(player):
         "output_names",
         "are_outputs_free",
         "first_frame_s",
+        "media_clock",
     }
 
 

@@ -109,6 +109,7 @@ class RunningSession:
         self.runner.poll()
 
     def play(self):
+        self.clock.advance(self.runner.gap_s)
         self.runner.proceed()
         assert self.kind is PageKind.PLAYING
         self.clock.advance(60.0)

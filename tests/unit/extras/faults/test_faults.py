@@ -178,7 +178,7 @@ def test_a_real_device_takes_none_at_any_level():
     with pytest.raises(UsageError, match="real device"):
         HapticsProcesses(SystemClock(), "falcon", takes_faults=True)
     options = ["--block", "0", "--line", "0", "--lifeline", "0", "--handle", "0"]
-    options += ["--alarm", "0", "--faults"]
+    options += ["--alarm", "0", "--held", "0", "--faults"]
     done = subprocess.run(
         [sys.executable, "-m", "hapticplayer.haptics", "--device", "falcon", *options],
         capture_output=True,
