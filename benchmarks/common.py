@@ -85,18 +85,21 @@ def _run(package: str, name: str, place: str, arguments: list[str]) -> int:
     module_name, _, function = place.partition(":")
     module = importlib.import_module(f"benchmarks.{module_name}")
     run = getattr(module, function or "run")
+    output = argparse.ArgumentParser(add_help=False)
+    output.add_argument(
+        "--output", type=Path, help="folder for the result (benchmarks/results)"
+    )
+    _, kept = output.parse_known_args(arguments)  # a path of this machine tells nobody
     parser = argparse.ArgumentParser(
         prog=f"python -m {package} {name}",
         description=run.__doc__ if function else module.__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
+        parents=[output],
     )
     parser.add_argument("--quick", action="store_true", help="short form, not saved")
-    parser.add_argument(
-        "--output", type=Path, help="folder for the result (benchmarks/results)"
-    )
     getattr(module, f"{function}_options" if function else "options")(parser)
     options = parser.parse_args(arguments)
-    report = Report(name, f"python -m {package} {shlex.join([name, *arguments])}")
+    report = Report(name, f"python -m {package} {shlex.join([name, *kept])}")
     run(options, report)
     folder = options.output or (None if options.quick else RESULTS)
     return report.finish(folder)

@@ -91,6 +91,12 @@ def test_prose_of_pages_of_results_has_no_figure(tool):
     assert not TYPED.findall(tool.TEXT)
 
 
+def test_commands_of_results_name_no_path():
+    commands = [one["command"] for one in performance_page.all_results().values()]
+    assert commands
+    assert not [one for one in commands if "/" in one]
+
+
 def test_results_are_of_commits_that_can_be_checked_out():
     if git("rev-parse", "--is-shallow-repository") != (0, "false"):
         pytest.skip("the history is not here")
