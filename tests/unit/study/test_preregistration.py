@@ -78,10 +78,11 @@ def test_exclusions_are_deviations_unless_foreseen(planned, manual_clock):
     from hapticplayer.study.study_folder import begin_session, delete_participant
 
     add_participants(planned, manual_clock)
+    (one, *_) = planned.codes()
     for reason in ("felt sick", "did not like it"):
         begun = begin_session(planned, "en", {}, manual_clock)
         drop_session(planned, begun.code, reason, manual_clock)
-    delete_participant(planned, planned.codes()[0])
+    delete_participant(planned, one)
     found = dict(deviations(read_answers(planned.folder), AnalysisOptions()))
     assert set(found) >= {"exclusions"}
     texts = [t for a, t in deviations(read_answers(planned.folder), AnalysisOptions())]
