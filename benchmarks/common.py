@@ -283,5 +283,12 @@ def on_one_thread() -> None:
         os.execve(sys.executable, arguments, environment)  # noqa: S606
 
 
+def positive(text: str) -> int:
+    """A number of repetitions, for `argparse`."""
+    if (number := int(text)) < 1:
+        raise ValueError(text)
+    return number
+
+
 def rms(values: Any) -> float:
     return float(np.sqrt(np.mean(np.square(values))))

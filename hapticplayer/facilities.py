@@ -33,10 +33,10 @@ def has(name: str) -> bool:
 
 
 def refuse_unknown() -> None:
-    """Refuse a switch that names what is no facility."""
+    """Refuse a switch that names what is not a facility."""
     if unknown := [name for name in linux.taken_away() if name not in FACILITIES]:
         raise UsageError(
-            "{switch} names {unknown}, which is no facility; choose from {known}",
+            "{switch} names {unknown}, which is not a facility; choose from {known}",
             switch=linux.SWITCH,
             unknown=", ".join(unknown),
             known=", ".join(FACILITIES),

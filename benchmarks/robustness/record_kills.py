@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.common import Report
+from benchmarks.common import Report, positive
 from tests.material.recording import killed
 
 EARLIEST_S, LATEST_S = 1.0, 4.0
@@ -18,7 +18,7 @@ MOST_LOST_S = 1.0
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--kills", type=int, help="(50)")
+    parser.add_argument("--kills", type=positive, help="(50)")
     parser.add_argument("--seed", type=int, default=49)
 
 

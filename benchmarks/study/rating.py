@@ -25,7 +25,7 @@ from PySide6.QtTest import QTest
 from app.participant.application import StudySession
 from app.player.application import make_application
 from app.player.video_surface import VideoSurface
-from benchmarks.common import ROOT, Report
+from benchmarks.common import ROOT, Report, positive
 from hapticplayer.clock import SystemClock
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.frames import DecodedFrame
@@ -44,7 +44,7 @@ Say = Callable[[str, float], list[dict[str, Any]]]
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--kills", type=int, help="(50)")
+    parser.add_argument("--kills", type=positive, help="(50)")
     parser.add_argument("--seed", type=int, default=2012)
 
 

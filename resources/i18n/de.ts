@@ -12190,7 +12190,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>imu: {what}; ab jetzt gilt eine andere Uhr</translation>
     </message>
     <message>
-        <source>imu: {what}; the rest goes on, and it is taken up again as soon as it is back</source>
+        <source>imu: {what}; the other streams continue, and it is recorded again as soon as it is back</source>
         <translation>imu: {what}; der Rest läuft weiter, und sie wird wieder aufgenommen, sobald sie zurück ist</translation>
     </message>
     <message>
@@ -14450,7 +14450,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{stream}: ist wieder da</translation>
     </message>
     <message>
-        <source>{stream}: nothing for {stall_s:.1f} s (check the cable, or wake the phone up); the rest goes on</source>
+        <source>{stream}: nothing for {stall_s:.1f} s (check the cable, or wake the phone up); the other streams continue</source>
         <translation>{stream}: nichts seit {stall_s:.1f} s (prüfen Sie das Kabel, oder wecken Sie das Telefon); der Rest läuft weiter</translation>
     </message>
     <message>
@@ -14458,7 +14458,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{stream}: {what}</translation>
     </message>
     <message>
-        <source>{switch} names {unknown}, which is no facility; choose from {known}</source>
+        <source>{switch} names {unknown}, which is not a facility; choose from {known}</source>
         <translation>{switch} nennt {unknown}, das gibt es nicht; wählen Sie aus {known}</translation>
     </message>
     <message>

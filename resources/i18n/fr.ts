@@ -12190,7 +12190,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>imu&#xa0;: {what}&#xa0;; à partir de maintenant, elle a une autre horloge</translation>
     </message>
     <message>
-        <source>imu: {what}; the rest goes on, and it is taken up again as soon as it is back</source>
+        <source>imu: {what}; the other streams continue, and it is recorded again as soon as it is back</source>
         <translation>imu&#xa0;: {what}&#xa0;; le reste continue, et elle sera reprise dès son retour</translation>
     </message>
     <message>
@@ -14450,7 +14450,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{stream}&#xa0;: de retour</translation>
     </message>
     <message>
-        <source>{stream}: nothing for {stall_s:.1f} s (check the cable, or wake the phone up); the rest goes on</source>
+        <source>{stream}: nothing for {stall_s:.1f} s (check the cable, or wake the phone up); the other streams continue</source>
         <translation>{stream}&#xa0;: rien depuis {stall_s:.1f} s (vérifiez le câble, ou réveillez le téléphone)&#xa0;; le reste continue</translation>
     </message>
     <message>
@@ -14458,7 +14458,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{stream}&#xa0;: {what}</translation>
     </message>
     <message>
-        <source>{switch} names {unknown}, which is no facility; choose from {known}</source>
+        <source>{switch} names {unknown}, which is not a facility; choose from {known}</source>
         <translation>{switch} nomme {unknown}, qui n’est pas une fonction du système&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>

@@ -17,7 +17,9 @@ SWAYING = np.stack(
     [2.0 * np.sin(3 * TIME_S), np.cos(5 * TIME_S), 9.8 + 0 * TIME_S], axis=1
 )
 _SILENT = Message(
-    "{stream}: nothing for {stall_s:.1f} s; the rest goes on", stream="imu", stall_s=0.5
+    "{stream}: nothing for {stall_s:.1f} s; the other streams continue",
+    stream="imu",
+    stall_s=0.5,
 )
 STATE = RecorderState(
     elapsed_s=8.0,

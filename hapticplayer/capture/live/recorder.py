@@ -1,7 +1,7 @@
 """Records camera, microphone and IMU on one machine's clock, into a folder.
 
 Each has a thread; another one looks after them: what is on disk, what is silent, what is
-left of the disk. What fails is told and marked, and the rest goes on.
+left of the disk. What fails is told and marked, and the other streams continue.
 """
 
 import contextlib
@@ -259,7 +259,7 @@ class Recorder:
             self._silent.add("imu")
             self._tell(
                 Message(
-                    "imu: {what}; the rest goes on, and it is taken up again as soon as "
+                    "imu: {what}; the other streams continue, and it is recorded again as soon as "
                     "it is back",
                     what=message_of(lost),
                 )
@@ -322,7 +322,7 @@ class Recorder:
                 self._tell(
                     Message(
                         "{stream}: nothing for {stall_s:.1f} s (check the cable, or wake "
-                        "the phone up); the rest goes on",
+                        "the phone up); the other streams continue",
                         stream=watch.name,
                         stall_s=watch.stall_s,
                     )

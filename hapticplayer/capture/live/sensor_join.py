@@ -47,7 +47,7 @@ class SensorJoin:
             del held[:-_MOST]
 
     def _begin_anew(self) -> None:
-        """Forget what came by another clock, as before an app or a phone began anew."""
+        """Forget what came by another clock, as before an app or a phone restarted."""
         for one in (self._accel, *self._others.values()):
             one.clear()
         self._last_s = -math.inf

@@ -40,7 +40,7 @@ CHECKED_S = 30.0
 
 _WINDOW_S, _LATE_S, _EVENLY_S, _MOST_DRIFT = 3.0, 0.5, 0.05, 2e-4
 _BACK_S = 0.5
-"""Stamps that go back by less come out of order; by more the clock began anew."""
+"""Stamps that go back by less come out of order; by more the clock restarted."""
 
 
 class Samples(NamedTuple):
@@ -86,7 +86,7 @@ class SourceLost(InputError):  # noqa: N818 - what has happened
 
 
 class ClockRestarted(SourceLost):
-    """A source sends on, by a clock that stood still or began anew."""
+    """A source sends on, by a clock that stood still or restarted."""
 
 
 class LiveSource(Protocol):
@@ -354,7 +354,7 @@ class OpenedSource:
         """A mask of the stamps that are later than all before."""
         if stamp_s.max() < self._last_s - _BACK_S:
             raise ClockRestarted(
-                "its clock began anew", where=self.text, remedy="connect it again"
+                "its clock restarted", where=self.text, remedy="connect it again"
             )
         before = np.maximum.accumulate(np.concatenate([[self._last_s], stamp_s]))
         self._last_s = float(before[-1])

@@ -30,7 +30,7 @@ _INK, _CURVE, _PERSON = "#222222", "#0072b2", "#999999"
 
 
 class LevelWords(NamedTuple):
-    """What the answers to a level are called, and the values of a curve that are told."""
+    """What the answers to a level are called, and the values of a curve that are reported."""
 
     key: str
     share: str

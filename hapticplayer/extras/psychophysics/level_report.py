@@ -116,13 +116,15 @@ def analysed(
     mark = simulated_mark(answers.participants)
     tracks = list(tracks_of(answers))
     groups = list(group_thresholds(tracks, found.options))
-    told = _findings(found, tracks, groups)
+    findings = _findings(found, tracks, groups)
     return ReportParts(
         answers,
         mark,
-        rounded({**_summary(found, groups), **summary(answers, found.options, told)}),
+        rounded(
+            {**_summary(found, groups), **summary(answers, found.options, findings)}
+        ),
         (*_lines(found), *map(_group_line, groups)),
-        tuple(contents(answers, found.options, told)),
+        tuple(contents(answers, found.options, findings)),
         lambda: marked(figures(found, tracks), mark),
         {**tables(found), **_track_tables(tracks)},
     )

@@ -54,14 +54,14 @@ def analysed(
 ) -> ReportParts:
     found = analyse_magnitudes(answers, options)
     mark = simulated_mark(answers.participants)
-    told = _findings(found)
-    numbers = {**_summary(found), **summary(answers, found.options, told)}
+    findings = _findings(found)
+    numbers = {**_summary(found), **summary(answers, found.options, findings)}
     return ReportParts(
         answers,
         mark,
         rounded(numbers),
         tuple(_lines(found)),
-        tuple(contents(answers, found.options, told)),
+        tuple(contents(answers, found.options, findings)),
         lambda: marked({_FIGURE: _figure(found)}, mark),
         {"levels.csv": _level_rows(found), "exponents.csv": _exponent_rows(found)},
     )

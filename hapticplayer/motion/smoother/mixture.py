@@ -102,7 +102,7 @@ NOISY_GYRO_FACTOR = 3.0
 WHEELED_EVIDENCE_SHARE = 0.03
 # Parts that weigh less have no variance of their own.
 MIN_WEIGHT = 1e-3
-# Share of the variance that is told of what is carried: the noises are those of the least
+# Share of the variance that is counted of what is carried: the noises are those of the least
 # error, not those that describe it best.
 CARRIED_VARIANCE_SHARE = 0.7
 # A vertical that moves so far is solved for again about where it went, so often at most.
@@ -166,10 +166,12 @@ def _mixed_about(block: Block, state: BlockState) -> tuple[BlockState, float]:
     odds = _log_mean(noisy) - _log_mean(carried) - block.p.gyro_evidence
     shares = _shares(carried), _shares(wheeled, WHEELED_EVIDENCE_SHARE)
     weight = np.concatenate([(1.0 - on_wheels) * shares[0], on_wheels * shares[1]])
-    told = np.repeat([CARRIED_VARIANCE_SHARE, 1.0], [len(carried), len(wheeled)])
+    known_share = np.repeat([CARRIED_VARIANCE_SHARE, 1.0], [len(carried), len(wheeled)])
     parts, wider = [*carried, *wheeled], [*_wider(carried), *wheeled]
     noisy_share = (1.0 - on_wheels) * _probability(odds)
-    mixture, solution = _mixture(parts, wider, weight, told, noisy_share, block.p)
+    mixture, solution = _mixture(
+        parts, wider, weight, known_share, noisy_share, block.p
+    )
     moved_rad = float(np.sqrt(rot.squared_norm(solution.tilt)).max())
     found = replace(
         state,
@@ -297,7 +299,7 @@ def _mixture(
     parts: list[Hypothesis],
     wider: list[Hypothesis],
     weight: Floats,
-    told: Floats,
+    known_share: Floats,
     noisy_share: float,
     p: SmootherParameters,
 ) -> tuple[Mixture, Solution]:
@@ -306,8 +308,8 @@ def _mixture(
     columns = len(best.normal) - 1
     tilts = np.array([part.solution.tilt for part in wider])
     tilt = np.tensordot(weight, tilts, 1)
-    told = weight * told
-    variance = told @ rot.squared_norm((tilts - tilt).swapaxes(0, 1))
+    known = weight * known_share
+    variance = known @ rot.squared_norm((tilts - tilt).swapaxes(0, 1))
     calibrations = np.zeros((len(parts), columns))
     for row, part in zip(calibrations, wider, strict=True):
         row[: len(part.solution.calibration)] = part.solution.calibration
@@ -316,7 +318,7 @@ def _mixture(
     for one in np.flatnonzero(weight > MIN_WEIGHT).tolist():
         own, covariance = variances_of(parts[one])
         shift = rot.squared_norm(parts[one].solution.tilt - tilts[one])
-        variance += told[one] * (own + shift)
+        variance += known[one] * (own + shift)
         calibration_variance[: len(covariance)] += weight[one] * covariance
     velocity_mps = np.tensordot(weight, [w.solution.velocity_mps for w in wider], 1)
     levelling_mps = np.array([part.levelling_mps for part in wider])

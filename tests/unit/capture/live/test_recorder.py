@@ -101,7 +101,7 @@ def test_an_imu_that_comes_back_is_recorded_on_by_its_new_clock(make, board, tmp
     recorder = make(imu=board.source.replace(board.port, str(port)))
     wait_until(recorder, lambda state: state.samples > 300)
     board.unplug()
-    before = wait_until(recorder, told("taken up again as soon")).samples
+    before = wait_until(recorder, told("recorded again as soon")).samples
     board.plug_in(port)
     wait_until(recorder, told("imu: is back"))
     wait_until(recorder, lambda state: state.samples > before + 300)
@@ -149,7 +149,7 @@ def started_with_phone(folder, times):
 
 def test_a_clock_that_begins_anew_is_told_and_goes_on(tmp_path):
     recorder = started_with_phone(tmp_path / "take", 1)
-    wait_until(recorder, told("imu: its clock began anew"))
+    wait_until(recorder, told("imu: its clock restarted"))
     before = recorder.snapshot().samples
     wait_until(recorder, lambda state: state.samples > before + 200)
     take = read_take(folder := recorder.stop())
@@ -164,7 +164,7 @@ def test_two_phones_that_send_at_once_are_given_up_and_readable(tmp_path, monkey
     wait_until(recorder, lambda state: state.is_over)
     take = read_take(folder := recorder.stop())
     assert len(take.restarts) == 1
-    assert "imu: phone:x: its clock began anew" in take.notices[-1]
+    assert "imu: phone:x: its clock restarted" in take.notices[-1]
     assert len(read_recording(folder).imu) > 300
 
 
