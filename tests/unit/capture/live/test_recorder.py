@@ -106,7 +106,7 @@ def test_an_imu_that_comes_back_is_recorded_on_by_its_new_clock(make, board, tmp
     wait_until(recorder, told("imu: is back"))
     wait_until(recorder, lambda state: state.samples > before + 300)
     take = read_take(folder := recorder.stop())
-    assert sum("taken up again" in one for one in take.notices) == 1
+    assert sum("recorded again as soon" in one for one in take.notices) == 1
     (gap,) = take.gaps
     imu = read_recording(folder).imu
     assert take.imu.count - len(imu) < 4  # of lines that were cut by the unplugging
