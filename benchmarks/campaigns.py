@@ -17,9 +17,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from benchmarks.common import ROOT, Report
+from benchmarks.common import ROOT, Report, positive
+from hapticplayer.facilities import FACILITIES
+from hapticplayer.linux import SWITCH
 
 TESTS = "tests/faults/test_campaigns.py"
+WHOLE_PROGRAM = "tests/e2e"
+QUICK_PROGRAM = [f"{WHOLE_PROGRAM}/test_headless.py"]
 
 
 class Case(NamedTuple):
@@ -42,22 +46,10 @@ def campaign(
         only: pattern of pytest's -k.
         workers: processes at once.
     """
-    with tempfile.TemporaryDirectory(prefix="hp-campaign-") as folder:
-        path = Path(folder) / "found.xml"
-        command = [sys.executable, "-m", "pytest", "-q", "-m", "campaign"]
-        command += ["-p", "no:cacheprovider", "-o", "faulthandler_timeout=0"]
-        command += ["-o", "junit_family=xunit1"]
-        command += [f"--junitxml={path}", test]
-        command += ["-k", only] if only else []
-        command += ["-n", str(workers)] if workers > 1 else []
-        environment = {**os.environ, "CAMPAIGN_SHARE": str(share)}
-        environment |= {"QT_QPA_PLATFORM": "offscreen"}
-        done = subprocess.run(
-            command, cwd=ROOT, env=environment, stdout=sys.stderr, check=False
-        )
-        if done.returncode not in (0, 1):
-            sys.exit(f"pytest ended with {done.returncode}: {' '.join(command)}")
-        cases = [_case(element) for element in ET.parse(path).iter("testcase")]  # noqa: S314 - ours
+    words = ["-m", "campaign", "-o", "faulthandler_timeout=0", test]
+    words += ["-k", only] if only else []
+    words += ["-n", str(workers)] if workers > 1 else []
+    cases = [_case(one) for one in tested(words, {"CAMPAIGN_SHARE": str(share)})]
     failed = [case for case in cases if case.failure]
     for case in failed:
         print(f"failed: {case.name}: {case.failure}")
@@ -67,12 +59,30 @@ def campaign(
     return [case for case in cases if case.figures]
 
 
+def tested(words: list[str], added: dict[str, str]) -> list[ET.Element]:
+    """What pytest writes of each test, with something added to its environment."""
+    with tempfile.TemporaryDirectory(prefix="hp-campaign-") as folder:
+        path = Path(folder) / "found.xml"
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
+        command += ["-o", "junit_family=xunit1", f"--junitxml={path}", *words]
+        environment = {**os.environ, **added, "QT_QPA_PLATFORM": "offscreen"}
+        done = subprocess.run(
+            command, cwd=ROOT, env=environment, stdout=sys.stderr, check=False
+        )
+        if done.returncode not in (0, 1):
+            sys.exit(f"pytest ended with {done.returncode}: {' '.join(command)}")
+        return list(ET.parse(path).iter("testcase"))  # noqa: S314 - ours
+
+
+def _failure(element: ET.Element) -> str:
+    failures = [*element.iter("failure"), *element.iter("error")]
+    return (failures[0].get("message") or "failed").splitlines()[0] if failures else ""
+
+
 def _case(element: ET.Element) -> Case:
     name = element.get("name", "").partition("[")[2].removesuffix("]")
     properties = {p.get("name"): p.get("value", "") for p in element.iter("property")}
-    failures = [*element.iter("failure"), *element.iter("error")]
-    text = (failures[0].get("message") or "failed").splitlines()[0] if failures else ""
-    return Case(name, json.loads(properties.get("figures", "{}")), text)
+    return Case(name, json.loads(properties.get("figures", "{}")), _failure(element))
 
 
 # --- haptics centring -------------------------------------------------------------
@@ -419,3 +429,34 @@ def force_damage(options: argparse.Namespace, report: Report) -> None:
     rows = [[case.name, *(case.figures.get(k, 0) for k in keys)] for case in cases]
     report.table("Damaged files of force", ["format", *keys], rows)
     report.figures |= {case.name: case.figures for case in cases}
+
+
+# --- robustness without -----------------------------------------------------------
+
+
+def without_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--only", nargs="+", choices=[*FACILITIES], help="(each)")
+    parser.add_argument("--tests", nargs="+", help=f"({WHOLE_PROGRAM})")
+    parser.add_argument("--workers", type=positive, default=1)
+
+
+def without(options: argparse.Namespace, report: Report) -> None:
+    """End-to-end tests without each thing that only Linux gives.
+
+    `hapticplayer/facilities.py` has the rows; each is taken away alone from all processes
+    of a test. The quick form takes all of them away at once, from a run without a window.
+    """
+    at_once = [",".join(FACILITIES)] if options.quick else list(FACILITIES)
+    tests = options.tests or (QUICK_PROGRAM if options.quick else [WHOLE_PROGRAM])
+    rows = []
+    for names in options.only or at_once:
+        words = [*tests, "-n", str(options.workers), "--dist", "worksteal"]
+        cases = tested(words, {SWITCH: names})
+        failed = {one.get("name", ""): _failure(one) for one in cases if _failure(one)}
+        for name, text in failed.items():
+            print(f"without {names}: {name}: {text}")
+        skipped = sum(one.find("skipped") is not None for one in cases)
+        rows.append([names, len(cases) - len(failed) - skipped, skipped, len(failed)])
+        report.target(f"without {names}: tests that fail", len(failed), ("<=", 0))
+    header = ["without", "passed", "skipped", "failed"]
+    report.table("End-to-end tests", header, rows, "without")

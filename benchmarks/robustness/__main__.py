@@ -12,6 +12,7 @@ PLACES = {
     "eviction": "robustness.eviction",
     "record_kills": "robustness.record_kills",
     "record_load": "robustness.record_load",
+    "without": "campaigns:without",
     "media": "campaigns:media",
     "importers": "campaigns:importers",
 }
