@@ -42,7 +42,7 @@ cores, one thread.
 
 ## Gravity: error and uncertainty
 
-`python -m benchmarks.motion accuracy`, {accuracy_date}: {accuracy_targets}. Peer: offlineVQF in the same run, with
+`{accuracy_command}`, {accuracy_date}: {accuracy_targets}. Peer: offlineVQF in the same run, with
 its published setting and with the best of four (`tauAcc`) for each family, which a user could not choose
 without the truth. *Ratio* and *of the best*: smoother over either. *Within*: share of samples within 2
 sigma; *sigma*: median over RMS error. *us* per sample and *of its time*: of `run_time`, {run_time_date}, in
@@ -54,7 +54,7 @@ interleaved rounds.
 
 ## Gravity: short clips
 
-`python -m benchmarks.motion short_clips --clips 3`, {short_clips_date}: {short_clips_targets}. Clips of three lengths, both rates,
+`{short_clips_command}`, {short_clips_date}: {short_clips_targets}. Clips of three lengths, both rates,
 alone and with a flaw put on the sensor: largest error of offlineVQF's on the same samples (least share
 within 2 sigma). Last, the shortest ones out of the whole log, and with the calibration of its other half.
 
@@ -62,14 +62,14 @@ within 2 sigma). Last, the shortest ones out of the whole log, and with the cali
 
 ## Gravity: run time
 
-`python -m benchmarks.motion run_time --rounds 3`, {run_time_date}: {run_time_targets}. CPU time beside
+`{run_time_command}`, {run_time_date}: {run_time_targets}. CPU time beside
 offlineVQF's, medians of interleaved rounds. Hand-held, simulated; us per sample.
 
 {lengths}
 
 ## Gravity: rounding
 
-`python -m benchmarks.motion numerics --long`, {numerics_date}. The smoother works in float64. Condition of
+`{numerics_command}`, {numerics_date}. The smoother works in float64. Condition of
 its scaled normal matrix and the largest error of its solution by rounding, m/s^2, by family, and of a
 peer in float32:
 
@@ -77,7 +77,7 @@ peer in float32:
 
 ## Error of the force, cause by cause
 
-`python -m benchmarks.motion budget`, {budget_date}: the four rides of the paper with true motion as
+`{budget_command}`, {budget_date}: the four rides of the paper with true motion as
 reference, each cause alone; RMS of the error vector, mN. Peer: the paper's chain.
 
 ![Each cause's share](error-budget.png)
@@ -94,7 +94,7 @@ spline through their integral (`rendering/window_means.py`), which overshoots th
 
 ## Motion suggested by frames
 
-`python -m benchmarks.motion suggested`, {suggested_date}: {suggested_targets}. Sway and bounce on clips not used to
+`{suggested_command}`, {suggested_date}: {suggested_targets}. Sway and bounce on clips not used to
 build it (3 seeds of 6 rides; karma, a MAX walk); error as a share of the truth's RMS, with gain 1. Peers:
 no force, whose error is 1, and a random one.
 
@@ -102,7 +102,7 @@ no force, whose error is 1, and a random one.
 
 ## Washout
 
-`python -m benchmarks.haptics washout`, {washout_date}: {washout_targets}. Simulated rides with 3 seeds each, a drone, a
+`{washout_command}`, {washout_date}: {washout_targets}. Simulated rides with 3 seeds each, a drone, a
 car. Error: rms(W (u - F)) / rms(W F), for the rides that would pass R. Classical washouts (2nd and 3rd
 order; zero phase, gain alone) have the best cut-off and gain for that ride at the same excursion of the
 same hands.
@@ -235,7 +235,7 @@ def page() -> str:
     text = {name: lines_of(*table) for name, table in tables.items()}
     for name, one in found.items():
         met = [target["met"] for target in one["targets"]]
-        text[f"{name}_date"] = date_of(one)
+        text[f"{name}_command"], text[f"{name}_date"] = one["command"], date_of(one)
         text[f"{name}_targets"] = f"{sum(met)} of {len(met)} targets met"
     return TEXT.format(**text)
 
