@@ -7,6 +7,7 @@ runs in the same rounds on the same answers: intervals of the means by
 """
 
 import argparse
+import functools
 import resource
 import shutil
 import subprocess
@@ -23,6 +24,7 @@ import scipy
 from statsmodels.stats.anova import AnovaRM
 
 from benchmarks.common import ROOT, Report, interleaved, ratio
+from benchmarks.study.sessions import write_apart
 from hapticplayer.clock import SystemClock
 from hapticplayer.model.ranges import SIMULATED_PARTICIPANTS
 from hapticplayer.simulation.participants import simulated_answers
@@ -32,7 +34,7 @@ from hapticplayer.study.analysis.aligned_ranks import EFFECTS, aligned_ranks, st
 from hapticplayer.study.analysis.scores import scores_of
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import create_study
-from hapticplayer.study.study_folder import SESSIONS, open_study
+from hapticplayer.study.study_folder import Study
 
 _AT_ONCE = int(SIMULATED_PARTICIPANTS.largest)
 TARGETS_S = {15: 5.0, 200: 8.0, 1000: 15.0}
@@ -84,21 +86,15 @@ def _measure(study: Path, people: int) -> dict[str, Any]:
 
 
 def make_study(folder: Path, people: int) -> None:
-    """Write a study of simulated participants, in copies that are then put together.
+    """Write a study of simulated participants, in parts that are then put together."""
+    study, firsts = create_study(folder), range(0, people, _AT_ONCE)
 
-    A session looks at all others for its order, so that a thousand of them take long.
-    """
-    study = create_study(folder)
-    for part, first in enumerate(range(0, people, _AT_ONCE)):
-        copy = folder.with_name(f"{folder.name}-{part}")
-        shutil.copytree(study.folder, copy, ignore=shutil.ignore_patterns(SESSIONS))
-        count = min(_AT_ONCE, people - first)
-        answers = simulated_answers(count, "paper", seed=part)
-        origin = {"simulated": True}
-        write_answers(open_study(copy), answers, SystemClock(), origin=origin)
-        (study.folder / SESSIONS).mkdir(exist_ok=True)
-        for session in (copy / SESSIONS).iterdir():
-            session.rename(study.folder / SESSIONS / session.name)
+    def take_part(copy: Study, first: int) -> None:
+        count, seed = min(_AT_ONCE, people - first), first // _AT_ONCE
+        answers = simulated_answers(count, "paper", seed=seed)
+        write_answers(copy, answers, SystemClock(), origin={"simulated": True})
+
+    write_apart(study, [functools.partial(take_part, first=f) for f in firsts], people)
 
 
 def _report(study: Path, processor_s: list[float]) -> float:

@@ -1,25 +1,26 @@
 """Many sites: sessions of 20 machines are merged, and nothing is lost."""
 
 import argparse
-import os
+import dataclasses
+import functools
 import shutil
 import tempfile
 import time
 from pathlib import Path
-from unittest.mock import patch
 
 import numpy as np
 
 from benchmarks.common import Report
+from benchmarks.study.sessions import write_apart
 from hapticplayer.clock import ManualClock
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
-from hapticplayer.study.answers import read_answers
+from hapticplayer.study.answers import Participant, read_answers
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.merging import merge_sessions
 from hapticplayer.study.session_folder import ANSWERS
 from hapticplayer.study.sites import site_of
-from hapticplayer.study.study_folder import SESSIONS, Study, open_study
+from hapticplayer.study.study_folder import Study, open_study
 
 MOST_S = 30.0
 
@@ -61,27 +62,19 @@ def run(options: argparse.Namespace, report: Report) -> None:
 
 
 def simulated(home: Study, target: Path, people: int, seed: int) -> Study:
-    """A copy of the study in which simulated people took part; nothing is synced."""
+    """A copy of the study in which simulated people took part."""
     answers = simulated_answers(people, "paper", seed=seed)
     shutil.copytree(home.folder, target)
-    (target / SESSIONS).mkdir(exist_ok=True)
     rng = np.random.default_rng(seed)
-    with tempfile.TemporaryDirectory(dir=target.parent) as making, patch("os.fsync"):
-        for number, person in enumerate(answers.participants):
-            place = Path(making) / f"{number}"  # else orders are counted each time
-            shutil.copytree(home.folder, place)
-            one = answers.__class__(
-                (person,),
-                tuple(r for r in answers.ratings if r.participant == person.code),
-                answers.sequences,
-                answers.feedbacks,
-                answers.factors,
-            )
-            origin = {"simulated": True, "seed": int(rng.integers(10**6))}
-            (code,) = write_answers(
-                open_study(place), one, ManualClock(), origin=origin
-            )
-            os.rename(place / SESSIONS / code, target / SESSIONS / code)  # noqa: PTH104
+
+    def take_part(copy: Study, person: Participant) -> None:
+        ratings = tuple(r for r in answers.ratings if r.participant == person.code)
+        one = dataclasses.replace(answers, participants=(person,), ratings=ratings)
+        origin = {"simulated": True, "seed": int(rng.integers(10**6))}
+        write_answers(copy, one, ManualClock(), origin=origin)
+
+    writers = [functools.partial(take_part, person=p) for p in answers.participants]
+    write_apart(open_study(target), writers, seed)
     return open_study(target)
 
 

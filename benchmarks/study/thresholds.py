@@ -15,6 +15,7 @@ import numpy as np
 from scipy import stats
 
 from benchmarks.common import Report
+from benchmarks.study.sessions import write_apart
 from hapticplayer.clock import ManualClock
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.analysis import AnalysisOptions, Resampling
@@ -22,7 +23,7 @@ from hapticplayer.study.analysis.report import analyse_study
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import create_study, definition_text
 from hapticplayer.study.definition import Condition
-from hapticplayer.study.study_folder import open_study
+from hapticplayer.study.study_folder import Study, open_study
 
 MOST_ERROR = 0.05
 JND = float(stats.norm.ppf(0.75))
@@ -129,12 +130,12 @@ ALL = (
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--observers", type=int, help="of each kind (80)")
+    parser.add_argument("--observers", type=int, help="of each kind (400)")
 
 
 def run(options: argparse.Namespace, report: Report) -> None:
     """Let observers of each kind take part."""
-    count = options.observers or (30 if options.quick else 80)
+    count = options.observers or (60 if options.quick else 400)
     rows = []
     for number, kind in enumerate(ALL):
         numbers = simulated(kind, count, number)
@@ -166,9 +167,12 @@ def simulated(kind: Observers, count: int, seed: int) -> Numbers:
         path = study.folder / "study.json"
         path.write_bytes(definition_text(content))
         study = open_study(study.folder)
-        for _ in range(count):
-            write_scripted_session(
-                study, {}, kind.answer(rng), ManualClock(), origin={"simulated": True}
-            )
+        clock, origin = ManualClock(), {"simulated": True}
+
+        def take_part(copy: Study) -> None:
+            answer = kind.answer(rng)
+            write_scripted_session(copy, {}, answer, clock, origin=origin)
+
+        write_apart(study, [take_part] * count, seed)
         options = AnalysisOptions(resampling=Resampling(1, 499))
         return analyse_study(read_answers(study.folder), options).numbers

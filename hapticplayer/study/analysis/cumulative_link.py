@@ -6,21 +6,20 @@ out by Laplace's approximation, as clmm of R's `ordinal` does (Christensen 2019)
 library has ordered answers with random effects.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
-
-Indices = NDArray[np.intp]
+from hapticplayer.study.analysis.random_intercepts import Curvature, Indices, Places
 
 _MOST_STEPS = 60
-_CLOSE, _SAME = 1e-5, 1e-12
+_CLOSE, _SAME = 3e-4, 1e-12  # a step below the first leaves its square
 _STEP = 1e-4
+_LEAST_START, _WEIGHT = 0.2, 0.25
 _LEVEL = 1e-4
 """Largest slope of the likelihood that counts as its top."""
 _FLAT = 1e-6
@@ -53,22 +52,50 @@ class OrderedAnswers:
 
 
 @dataclass(frozen=True, slots=True)
-class FittedModel:
-    """Estimates of largest likelihood.
+class Estimates:
+    """Parameters of largest likelihood.
 
     Attributes:
         thresholds: (J - 1,).
         effects: (b,) on the latent scale; positive means higher answers.
         deviations: (K,) standard deviations of the random intercepts.
-        covariance: (b, b) of `effects`; NaN where the data do not determine them.
         log_likelihood: of the answers.
+        inverse: (p, p) roughly that of its curvature, by the free parameters; for `start`.
     """
 
     thresholds: Floats
     effects: Floats
     deviations: Floats
-    covariance: Floats
     log_likelihood: float
+    inverse: Floats
+
+    def with_effects(self, design: Floats) -> "Estimates":
+        """Where to look for the effects (b,) of a design, if they were left out."""
+        apart = design - design.mean(axis=0)
+        own = np.linalg.inv(_WEIGHT * apart.T @ apart + np.eye(apart.shape[1]))
+        cuts, count = len(self.thresholds), len(own)
+        whole = np.zeros([len(self.inverse) + count] * 2)
+        old = np.delete(np.arange(len(whole)), np.s_[cuts : cuts + count])
+        whole[np.ix_(old, old)] = self.inverse
+        whole[cuts : cuts + count, cuts : cuts + count] = own
+        return replace(self, effects=np.zeros(count), inverse=whole)
+
+    def at_cut(self, cut: int) -> "Estimates":
+        """Where to look for those of the answers above and below one threshold."""
+        kept = np.append(0, np.arange(len(self.thresholds), len(self.inverse)))
+        inverse = self.inverse[np.ix_(kept, kept)]
+        return replace(self, thresholds=self.thresholds[[cut]], inverse=inverse)
+
+
+@dataclass(frozen=True, slots=True)
+class FittedModel(Estimates):
+    """Estimates with what is known of them.
+
+    Attributes:
+        covariance: (b, b) of `effects`; NaN where the data do not determine them.
+    """
+
+    covariance: Floats
 
     @property
     def errors(self) -> Floats:
@@ -77,34 +104,69 @@ class FittedModel:
 
 
 def fit(
-    answers: OrderedAnswers, link: LinkFunction = LinkFunction.LOGIT
+    answers: OrderedAnswers,
+    link: LinkFunction = LinkFunction.LOGIT,
+    start: Estimates | None = None,
 ) -> FittedModel:
-    """The model of largest likelihood, by BFGS from the answers' own shares."""
-    modes = np.zeros(sum(int(group.max()) + 1 for group in answers.groups))
-
-    def cost(at: Floats) -> tuple[float, Floats]:
-        parameters = _Parameters.of(at, answers)
-        worth, slope = _laplace(parameters, answers, link, modes)
-        return -worth, -parameters.chained(slope)
-
-    start = _start(answers, link)
-    options = {"gtol": _LEVEL}
-    solved = scipy.optimize.minimize(
-        cost, start, jac=True, method="BFGS", options=options
-    )
-    found = solved.x
-    steps = _STEP * np.eye(len(found))
-    bends = np.array([cost(found + row)[1] - cost(found - row)[1] for row in steps])
-    best = _Parameters.of(found, answers)
+    """The model of largest likelihood, with its curvature by differences of slopes."""
+    likelihood = _Likelihood(answers, link)
+    found = likelihood.top(start)
+    slope = likelihood(found.x)[1]
+    steps = _STEP * np.eye(len(found.x))
+    bends = np.array([likelihood(found.x + row)[1] - slope for row in steps])
+    best = likelihood.estimates(found)
     first = len(best.thresholds)
     effects = slice(first, first + len(best.effects))
+    covariance = _inverse((bends + bends.T) / (2.0 * _STEP))[effects, effects]
     return FittedModel(
         best.thresholds,
         best.effects,
-        np.abs(best.deviations),
-        _inverse((bends + bends.T) / (4.0 * _STEP))[effects, effects],
-        -float(solved.fun),
+        best.deviations,
+        best.log_likelihood,
+        best.inverse,
+        covariance,
     )
+
+
+def estimate(
+    answers: OrderedAnswers, link: LinkFunction, start: Estimates | None = None
+) -> Estimates:
+    """What `fit` finds, without its errors."""
+    likelihood = _Likelihood(answers, link)
+    return likelihood.estimates(likelihood.top(start))
+
+
+class _Likelihood:
+    """The negative logarithm of the likelihood, and its slope, of free parameters."""
+
+    def __init__(self, answers: OrderedAnswers, link: LinkFunction) -> None:
+        self._answers, self._link = answers, link
+        self._places = Places.of(answers.groups, answers.nested)
+        self._modes = np.zeros(self._places.size)
+
+    def __call__(self, at: Floats) -> tuple[float, Floats]:
+        parameters = _Parameters.of(at, self._answers)
+        places = self._places._replace(deviations=parameters.deviations)
+        of = self._answers, self._link, self._modes
+        worth, slope = _laplace(parameters, places, *of)
+        return -worth, -parameters.chained(slope)
+
+    def top(self, start: Estimates | None) -> Any:
+        """Where it is least, by BFGS from estimates or the answers' own shares."""
+        options: dict[str, Any] = {"gtol": _LEVEL}
+        if start is not None:
+            options["hess_inv0"] = (start.inverse + start.inverse.T) / 2.0
+        begin = _start(self._answers, self._link, start)
+        return scipy.optimize.minimize(
+            self, begin, jac=True, method="BFGS", options=options
+        )
+
+    def estimates(self, found: Any) -> Estimates:
+        best = _Parameters.of(found.x, self._answers)
+        deviations, worth = np.abs(best.deviations), -float(found.fun)
+        return Estimates(
+            best.thresholds, best.effects, deviations, worth, found.hess_inv
+        )
 
 
 def level_shares(model: FittedModel, shift: float, link: LinkFunction) -> Floats:
@@ -113,8 +175,15 @@ def level_shares(model: FittedModel, shift: float, link: LinkFunction) -> Floats
     return np.diff(below, prepend=0.0, append=1.0)
 
 
-def _start(answers: OrderedAnswers, link: LinkFunction) -> Floats:
-    """Thresholds from the shares of the levels, no effects, small deviations."""
+def _start(answers: OrderedAnswers, link: LinkFunction, of: Estimates | None) -> Floats:
+    """Free parameters of estimates; else by the shares of the levels, without effects.
+
+    No deviation is near zero, where the likelihood has no slope by it.
+    """
+    if of is not None:
+        deviations = np.maximum(of.deviations, _LEAST_START)
+        gaps = np.log(np.diff(of.thresholds))
+        return np.concatenate([of.thresholds[:1], gaps, of.effects, deviations])
     shares = np.cumsum(np.bincount(answers.levels))[:-1] / len(answers.levels)
     inverse = scipy.special.logit if link is LinkFunction.LOGIT else scipy.special.ndtri
     thresholds = inverse(shares)
@@ -149,12 +218,17 @@ class _Parameters(NamedTuple):
 
 
 def _laplace(
-    at: _Parameters, answers: OrderedAnswers, link: LinkFunction, modes: Floats
+    at: _Parameters,
+    places: Places,
+    answers: OrderedAnswers,
+    link: LinkFunction,
+    modes: Floats,
 ) -> tuple[float, Floats]:
     """Laplace's approximation of the likelihood, and its slope by all parameters.
 
     Args:
         at: parameters.
+        places: of the random intercepts, with their deviations.
         answers: with their design.
         link: of the model.
         modes: (q,) where they are looked for; moved to where they are.
@@ -162,12 +236,11 @@ def _laplace(
     fixed = answers.design @ at.effects
     bounds = np.concatenate([[-np.inf], at.thresholds, [np.inf]])
     low, high = bounds[answers.levels] - fixed, bounds[answers.levels + 1] - fixed
-    places = _Places.of(answers, at.deviations)
 
-    def joint(u: Floats) -> tuple[float, _Derivatives, _Curvature, Floats]:
+    def joint(u: Floats) -> tuple[float, _Derivatives, Curvature, Floats]:
         shift = places.values(u)
         found = _Derivatives.of(low - shift, high - shift, link)
-        curvature = _Curvature.of(places, found.bend)
+        curvature = Curvature.of(places, found.bend)
         worth = float(found.log.sum() - 0.5 * u @ u)
         return worth, found, curvature, curvature.solve(places.sums(found.slope) - u)
 
@@ -183,28 +256,32 @@ def _laplace(
         if np.abs(last).max() < _CLOSE:
             break
     modes[:] = u
-    slope = _slope(u, places, found, curvature, answers)
+    shift = places.values(u)
+    bends = found.bends(low - shift, high - shift, link)
+    slope = _slope(u, places, found, bends, curvature, answers)
     return worth - 0.5 * curvature.log_determinant(), slope
 
 
 def _slope(
     u: Floats,
-    places: "_Places",
+    places: Places,
     found: "_Derivatives",
-    curvature: "_Curvature",
+    bends: tuple[Floats, Floats],
+    curvature: Curvature,
     answers: OrderedAnswers,
 ) -> Floats:
     """Of Laplace's approximation, with the modes moving along.
 
-    `spread` is the variance of each answer's shift; `pull` is how its curvature moves the
-    modes.
+    `bends` are those of `found`; `spread` is the variance of each answer's shift, `pull`
+    how its curvature moves the modes.
     """
+    bend_low, bend_high = bends
     shares = curvature.of_answers(places)
     spread = np.einsum("kn,k->n", shares, places.deviations)
-    q = curvature.solve(places.sums(-spread * (found.bend_low + found.bend_high)))
+    q = curvature.solve(places.sums(-spread * (bend_low + bend_high)))
     pull = places.values(q)
-    by_low = found.low - 0.5 * (spread * found.bend_low + pull * found.slope_low)
-    by_high = found.high - 0.5 * (spread * found.bend_high + pull * found.slope_high)
+    by_low = found.low - 0.5 * (spread * bend_low + pull * found.slope_low)
+    by_high = found.high - 0.5 * (spread * bend_high + pull * found.slope_high)
     cuts = int(answers.levels.max())
     thresholds = np.bincount(answers.levels, by_high, cuts + 1)[:-1]
     thresholds += np.bincount(answers.levels, by_low, cuts + 1)[1:]
@@ -216,189 +293,25 @@ def _slope(
     return np.concatenate([thresholds, -both @ answers.design, deviations])
 
 
-class _Places(NamedTuple):
-    """Of each answer's random intercepts among all q of them, with their deviations.
-
-    Attributes:
-        at: (n,) for each group.
-        deviations: of the groups.
-        firsts: place of the first of each group, and q.
-        nested: number of the groups that are diagonal, each within the next.
-    """
-
-    at: tuple[Indices, ...]
-    deviations: Floats
-    firsts: Indices
-    nested: int
-
-    @classmethod
-    def of(cls, answers: OrderedAnswers, deviations: Floats) -> "_Places":
-        sizes = [int(group.max()) + 1 for group in answers.groups]
-        firsts = np.cumsum([0, *sizes])
-        at = tuple(
-            group + first for group, first in zip(answers.groups, firsts, strict=False)
-        )
-        return cls(at, deviations, firsts, answers.nested)
-
-    @property
-    def size(self) -> int:
-        return int(self.firsts[-1])
-
-    def local(self, group: int) -> Indices:
-        """Of each answer in a group, from 0."""
-        return np.asarray(self.at[group] - self.firsts[group], np.intp)
-
-    def values(self, u: Floats) -> Floats:
-        """The shift (n,) of each answer."""
-        return np.asarray(self.deviations @ np.stack([u[at] for at in self.at]))
-
-    def sums(self, values: Floats) -> Floats:
-        """The transpose of `values`: (q,) from (n,)."""
-        total = np.zeros(self.size)
-        for at, deviation in zip(self.at, self.deviations, strict=True):
-            total += deviation * np.bincount(at, values, self.size)
-        return total
-
-
-class _Level(NamedTuple):
-    """A group that was eliminated: nothing couples two of its members.
-
-    Attributes:
-        own: (f,) diagonal.
-        share: (f, r) cross part with the groups that are left, over it.
-        parents: (f,) in the next level; None for the last one.
-        to_parent: (f,) cross part with it over `own`.
-    """
-
-    own: Floats
-    share: Floats
-    parents: Indices | None = None
-    to_parent: Floats | None = None
-
-
-class _Curvature(NamedTuple):
-    """The negative Hessian by the intercepts, solved by Schur's complement.
-
-    It is diagonal among the members of a nested group: the work grows with the number of
-    people, not its cube.
-
-    Attributes:
-        levels: of the nested groups.
-        inverse: (r, r) of the complement.
-        size: its log determinant.
-    """
-
-    levels: tuple[_Level, ...]
-    inverse: Floats
-    size: float
-
-    @classmethod
-    def of(cls, places: _Places, bend: Floats) -> "_Curvature":
-        count, deviations = places.nested, places.deviations
-        start = places.firsts[count]
-        left = places.size - int(start)
-        others = [at - start for at in places.at[count:]]
-        rest = np.eye(left)
-        for at, deviation in zip(others, deviations[count:], strict=True):
-            for other, by in zip(others, deviations[count:], strict=True):
-                pairs = np.bincount(at * left + other, bend, left**2)
-                rest += deviation * by * pairs.reshape(left, left)
-        levels: list[_Level] = []
-        for group in range(count):
-            here, size = places.local(group), int(np.diff(places.firsts)[group])
-            scale = deviations[group]
-            own = 1.0 + scale**2 * np.bincount(here, bend, size)
-            cross = np.zeros((size, left))
-            for at, deviation in zip(others, deviations[count:], strict=True):
-                cells = np.bincount(here * left + at, bend, size * left)
-                cross += scale * deviation * cells.reshape(size, left)
-            if levels:
-                below = levels[-1]
-                assert below.parents is not None
-                assert below.to_parent is not None
-                moved = below.to_parent * below.own
-                own -= np.bincount(below.parents, moved * below.to_parent, size)
-                for column in range(left):
-                    part = moved * below.share[:, column]
-                    cross[:, column] -= np.bincount(below.parents, part, size)
-            share = cross / own[:, None]
-            rest -= cross.T @ share
-            if group + 1 == count:
-                levels.append(_Level(own, share))
-                continue
-            parents = np.zeros(size, np.intp)
-            parents[here] = places.local(group + 1)
-            coupled = scale * deviations[group + 1] * np.bincount(here, bend, size)
-            levels.append(_Level(own, share, parents, coupled / own))
-        inverse = np.asarray(np.linalg.inv(rest), np.float64)
-        return cls(tuple(levels), inverse, float(np.linalg.slogdet(rest)[1]))
-
-    def solve(self, right: Floats) -> Floats:
-        """The inverse times (q,)."""
-        sizes = [len(one.own) for one in self.levels]
-        *parts, others = np.split(right.copy(), np.cumsum(sizes))
-        for number, one in enumerate(self.levels):
-            others -= parts[number] @ one.share
-            if one.parents is not None and one.to_parent is not None:
-                moved = parts[number] * one.to_parent
-                parts[number + 1] -= np.bincount(one.parents, moved, sizes[number + 1])
-        others = self.inverse @ others
-        found: list[Floats] = []
-        for one, part in zip(self.levels[::-1], parts[::-1], strict=True):
-            solved = part / one.own - one.share @ others
-            if one.parents is not None and one.to_parent is not None:
-                solved -= one.to_parent * found[0][one.parents]
-            found.insert(0, solved)
-        return np.concatenate([*found, others])
-
-    def log_determinant(self) -> float:
-        return float(sum(np.log(one.own).sum() for one in self.levels) + self.size)
-
-    def of_answers(self, places: _Places) -> Floats:
-        """The inverse times each answer's scaled row, at its own places: (K, n)."""
-        count, deviations = places.nested, places.deviations
-        start, people = places.firsts[count], len(places.at[0])
-        others = np.zeros((people, len(self.inverse)))
-        rows = np.arange(people)
-        for at, deviation in zip(places.at[count:], deviations[count:], strict=True):
-            others[rows, at - start] += deviation
-        parts = [np.full(people, deviation) for deviation in deviations[:count]]
-        here = [places.local(group) for group in range(count)]
-        for number, one in enumerate(self.levels):
-            others -= parts[number][:, None] * one.share[here[number]]
-            if one.to_parent is not None:
-                parts[number + 1] -= parts[number] * one.to_parent[here[number]]
-        others = others @ self.inverse
-        found: list[Floats] = []
-        for number in reversed(range(count)):
-            one, at = self.levels[number], here[number]
-            solved = parts[number] / one.own[at] - (one.share[at] * others).sum(axis=1)
-            if one.to_parent is not None:
-                solved -= one.to_parent[at] * found[0]
-            found.insert(0, solved)
-        return np.array(
-            [*found, *(others[rows, at - start] for at in places.at[count:])]
-        )
-
-
 class _Derivatives(NamedTuple):
     """Of log P(low < x <= high) (n,), by both ends.
 
     Attributes:
-        log: the logarithm.
+        share: the probability.
         low: by the lower end.
         high: by the higher end.
-        slope_low, slope_high: of the slope by a shift.
-        bend_low, bend_high: of the bend by a shift.
+        low_low, high_high: second ones; the mixed one is their product, negated.
     """
 
-    log: Floats
+    share: Floats
     low: Floats
     high: Floats
-    slope_low: Floats
-    slope_high: Floats
-    bend_low: Floats
-    bend_high: Floats
+    low_low: Floats
+    high_high: Floats
+
+    @property
+    def log(self) -> Floats:
+        return np.log(self.share)
 
     @property
     def slope(self) -> Floats:
@@ -406,9 +319,19 @@ class _Derivatives(NamedTuple):
         return -(self.low + self.high)
 
     @property
+    def slope_low(self) -> Floats:
+        """Of the slope, by the lower end."""
+        return self.low * self.high - self.low_low
+
+    @property
+    def slope_high(self) -> Floats:
+        """Of the slope, by the higher end."""
+        return self.low * self.high - self.high_high
+
+    @property
     def bend(self) -> Floats:
-        """The negative second one by a shift."""
-        return self.slope_low + self.slope_high
+        """The negative second one by a shift; rounding far off must not make it negative."""
+        return np.maximum(self.slope_low + self.slope_high, 0.0)
 
     @classmethod
     def of(cls, low: Floats, high: Floats, link: LinkFunction) -> "_Derivatives":
@@ -416,22 +339,20 @@ class _Derivatives(NamedTuple):
         below = _distribution(np.where(flipped, -high, low), link)
         above = _distribution(np.where(flipped, -low, high), link)
         share = np.maximum(above - below, _TINY)
-        low1, low2, low3 = (one / share for one in _densities(low, link))
-        high1, high2, high3 = (one / share for one in _densities(high, link))
-        a, b, ab = -low1, high1, low1 * high1
-        aa, bb = -low2 - a**2, high2 - b**2
-        aaa = -low3 + low2 * a - 2.0 * a * aa
-        bbb = high3 - high2 * b - 2.0 * b * bb
+        (low1, low2), (high1, high2) = _densities(low, link), _densities(high, link)
+        a, b = -low1 / share, high1 / share
+        return cls(share, a, b, -low2 / share - a**2, high2 / share - b**2)
+
+    def bends(
+        self, low: Floats, high: Floats, link: LinkFunction
+    ) -> tuple[Floats, Floats]:
+        """The slopes of the bend by both ends."""
+        a, b, aa, bb = self.low, self.high, self.low_low, self.high_high
+        ab = -a * b
+        aaa = -_bent_density(low, link) / self.share - a * (a**2 + 3.0 * aa)
+        bbb = _bent_density(high, link) / self.share - b * (b**2 + 3.0 * bb)
         aab, abb = -aa * b - a * ab, -ab * b - a * bb
-        return cls(
-            np.log(share),
-            a,
-            b,
-            -(aa + ab),
-            -(ab + bb),
-            -(aaa + 2.0 * aab + abb),
-            -(aab + 2.0 * abb + bbb),
-        )
+        return -(aaa + 2.0 * aab + abb), -(aab + 2.0 * abb + bbb)
 
 
 def _distribution(x: Floats, link: LinkFunction) -> Floats:
@@ -439,15 +360,27 @@ def _distribution(x: Floats, link: LinkFunction) -> Floats:
     return np.asarray(function(x), np.float64)
 
 
-def _densities(x: Floats, link: LinkFunction) -> tuple[Floats, Floats, Floats]:
-    """The density, its slope, and the slope of that."""
+def _densities(x: Floats, link: LinkFunction) -> tuple[Floats, Floats]:
+    """The density and its slope."""
     if link is LinkFunction.LOGIT:
-        density = scipy.special.expit(x) * scipy.special.expit(-x)
         turn = -np.tanh(0.5 * x)
-        return density, density * turn, density * (turn**2 - 2.0 * density)
+        density = 0.25 * (1.0 - turn**2)
+        return density, density * turn
     density = np.exp(-0.5 * x**2) / np.sqrt(2.0 * np.pi)
-    finite = np.where(np.isfinite(x), x, 0.0)
-    return density, -finite * density, (finite**2 - 1.0) * density
+    return density, -_finite(x) * density
+
+
+def _bent_density(x: Floats, link: LinkFunction) -> Floats:
+    """The second derivative of the density."""
+    density, slope = _densities(x, link)
+    if link is LinkFunction.LOGIT:
+        turn = -np.tanh(0.5 * x)
+        return density * (turn**2 - 2.0 * density)
+    return -density - _finite(x) * slope
+
+
+def _finite(x: Floats) -> Floats:
+    return np.where(np.isfinite(x), x, 0.0)
 
 
 def _inverse(information: Floats) -> Floats:

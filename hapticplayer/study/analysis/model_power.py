@@ -12,7 +12,7 @@ import numpy as np
 
 from hapticplayer.errors import Message, Progress, UsageError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.cumulative_link import LinkFunction, fit
+from hapticplayer.study.analysis.cumulative_link import LinkFunction, estimate
 from hapticplayer.study.analysis.ordinal_mixed import (
     FAR,
     difference,
@@ -65,7 +65,7 @@ class LatentPopulation(NamedTuple):
                 "participants to all feedbacks are needed, and not all alike",
                 least=LEAST_PILOT,
             )
-        found = fit(answers, link)
+        found = estimate(answers, link)
         if np.abs(found.effects).max() > FAR:
             raise UsageError(
                 "the mixed model cannot be fitted: nearly all answers to a feedback are "
@@ -109,10 +109,12 @@ def find_model_power(
 
     def power_of(size: int) -> None:
         step = Message("simulating studies of {size} participants", size=size)
-        done = min(0.95, len(shares) / _tries(goal.largest, len(names)))
-        found = significant_shares(
-            population, sequences, size, goal, lambda: progress(done, step)
-        )
+        before, tries = len(shares), _tries(goal.largest, len(names))
+
+        def report(share: float) -> None:
+            progress(min(0.95, (before + share) / tries), step)
+
+        found = significant_shares(population, sequences, size, goal, report)
         shares[size] = dict(zip(names, found.tolist(), strict=True))
 
     for size in dict.fromkeys((goal.largest, LEAST_SIZE)):
@@ -146,14 +148,14 @@ def significant_shares(
     sequences: int,
     people: int,
     goal: PowerGoal,
-    report: Callable[[], None],
+    report: Callable[[float], None],
 ) -> Floats:
     """Share of studies in which all feedbacks, each pair, and all pairs differ."""
     rng = np.random.default_rng([goal.seed, people])
     count = 1 + len(population.effects)
     hits = np.zeros(2 + count * (count - 1) // 2)
-    for _ in range(goal.studies):
-        report()
+    for done in range(goal.studies):
+        report(done / goal.studies)
         p_all, *p_pairs = _p_values(population, people, sequences, rng)
         differ = [p <= goal.alpha for p in (p_all, *p_pairs)]
         hits += [*differ, all(differ[1:])]

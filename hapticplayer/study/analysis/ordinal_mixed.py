@@ -10,7 +10,7 @@ as they are: neighbouring steps may be joined (McCullagh 1980).
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import Any
@@ -21,12 +21,13 @@ import scipy
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.cumulative_link import (
     FittedModel,
-    Indices,
     LinkFunction,
     OrderedAnswers,
+    estimate,
     fit,
     level_shares,
 )
+from hapticplayer.study.analysis.random_intercepts import Indices
 from hapticplayer.study.analysis.references import (
     CHRISTENSEN_2019,
     LIDDELL_2018,
@@ -131,7 +132,8 @@ def likelihood_ratio(
 ) -> tuple[FittedModel, float, float]:
     """The model, and chi-square and p of all its effects together."""
     nothing = replace(answers, design=answers.design[:, :0])
-    full, none = fit(answers, link), fit(nothing, link)
+    none = estimate(nothing, link)
+    full = fit(answers, link, none.with_effects(answers.design))
     chi2 = max(0.0, 2.0 * (full.log_likelihood - none.log_likelihood))
     return full, chi2, float(scipy.stats.chi2.sf(chi2, len(full.effects)))
 
@@ -139,21 +141,40 @@ def likelihood_ratio(
 def _pairs(
     sample: Sample, answers: OrderedAnswers, full: FittedModel, link: LinkFunction
 ) -> dict[str, Found]:
-    last = int(answers.levels.max())
-    steps = np.rint(np.linspace(1, last, min(last, _MOST_CUTS)))[:, None]
-    cuts = [
-        fit(replace(answers, levels=above.astype(np.intp)), link)
-        for above in (answers.levels >= steps if link is LinkFunction.LOGIT else ())
-    ]
+    at_cuts = list(_at_cuts(answers, full)) if link is LinkFunction.LOGIT else []
     found = {}
     for i, j in combinations(range(len(sample.feedbacks)), 2):
-        at_cuts = [difference(one, i, j) for one in cuts]
-        known = [one["estimate"] for one in at_cuts if one["estimate"] is not None]
+        known = [one[j] - one[i] for one in at_cuts if not np.isnan(one[[i, j]]).any()]
         found[f"{sample.feedbacks[i]}-{sample.feedbacks[j]}"] = {
             **difference(full, i, j),
             "at_cuts": [min(known), max(known)] if known else None,
         }
     return found
+
+
+def _at_cuts(answers: OrderedAnswers, full: FittedModel) -> Iterator[Floats]:
+    """Effects (F,) by the answers above and below single steps; NaN where all are alike.
+
+    Answers to such a feedback say nothing of the others.
+    """
+    last, count = int(answers.levels.max()), 1 + len(full.effects)
+    feedbacks = answers.design @ np.arange(1, count)
+    for step in np.rint(np.linspace(1, last, min(last, _MOST_CUTS))).astype(int):
+        above = answers.levels >= step
+        shares = np.array([above[feedbacks == one].mean() for one in range(count)])
+        known = np.flatnonzero((shares > 0.0) & (shares < 1.0))
+        if len(known) < 2:
+            continue
+        kept = np.isin(feedbacks, known)
+        groups = (np.unique(g[kept], return_inverse=True)[1] for g in answers.groups)
+        design = (feedbacks[kept, None] == known[1:]).astype(np.float64)
+        of = above[kept].astype(np.intp), design, tuple(groups), answers.nested
+        start = full.at_cut(step - 1) if kept.all() else None
+        found = estimate(OrderedAnswers(*of), LinkFunction.LOGIT, start)
+        effects = np.full(count, np.nan)
+        if found.deviations.max() < FAR:
+            effects[known] = np.append(0.0, found.effects)
+        yield effects
 
 
 def difference(model: FittedModel, i: int, j: int) -> Found:
