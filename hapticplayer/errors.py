@@ -220,6 +220,11 @@ def no_progress(_fraction: float, _step: str) -> None:
     """Ignore the progress."""
 
 
+def part_of(progress: Progress, number: int, count: int) -> Progress:
+    """The progress of one of several pieces of work, counted from 0."""
+    return lambda fraction, step: progress((number + fraction) / count, step)
+
+
 def entry_named(known: Mapping[str, T], name: str, what: Message) -> T:
     """Return the entry of a registry that a person has named.
 

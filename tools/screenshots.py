@@ -1,11 +1,12 @@
 """A picture of every page in every language, theme and scale, without a screen.
 
     python -m tools.screenshots -o FOLDER [--languages en de] [--themes dark light]
-        [--scales 1 2 3] [--only player study] [--sheets] [--docs docs]
+        [--scales 1 2 3] [--screen 1280 720] [--only player study] [--sheets]
+        [--docs docs]
 
 Pages are shown as a person meets them: empty, at work, doubtful, wrong, and with names
 and questions that are too long. The screen has 1920 x 1080 pixels at 100 and at 200 %,
-3840 x 2160 at 300 %. `--sheets` puts the pictures of a group on contact sheets,
+3840 x 2160 at 300 %, unless `--screen` says another size. `--sheets` puts the pictures of a group on contact sheets,
 `--docs` writes those that the documentation shows.
 """
 
@@ -22,7 +23,7 @@ from pathlib import Path
 SCREENS = {1.0: (1920, 1080), 2.0: (1920, 1080), 3.0: (3840, 2160)}
 LARGEST = (3840, 2160)  # for other scales
 LANGUAGES, THEMES = ("en", "fr", "de"), ("dark", "light", "contrast")
-GROUPS = ("player", "device", "library", "editor", "study")
+GROUPS = ("player", "device", "library", "editor", "study", "kinds")
 DOCS = {
     "player-playing": "screenshot.png",
     "import-sync-sure": "import.png",
@@ -57,6 +58,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--languages", nargs="+", choices=LANGUAGES, default=LANGUAGES)
     parser.add_argument("--themes", nargs="+", choices=THEMES, default=THEMES)
     parser.add_argument("--scales", nargs="+", type=float, default=list(SCREENS))
+    parser.add_argument("--screen", nargs=2, type=int, metavar=("WIDTH", "HEIGHT"))
     parser.add_argument("--only", nargs="+", choices=GROUPS, default=GROUPS)
     parser.add_argument("--sheets", action="store_true", help="also put on sheets")
     parser.add_argument("--docs", type=Path, help="folder for the few in the docs")
@@ -68,6 +70,7 @@ def _in_process(options: argparse.Namespace, scale: float, group: str) -> int:
     for name in ("languages", "themes"):
         command += [f"--{name}", *getattr(options, name)]
     command += ["--only", group, "--scales", str(scale)]
+    command += ["--screen", *map(str, options.screen)] if options.screen else []
     command += [*(["--sheets"] if options.sheets else [])]
     command += ["--docs", options.docs] if options.docs else []
     return subprocess.run(command, check=False).returncode
@@ -75,14 +78,14 @@ def _in_process(options: argparse.Namespace, scale: float, group: str) -> int:
 
 def _make(options: argparse.Namespace, folder: Path) -> None:
     scale = options.scales[0]
-    _use_screen(folder, scale)
+    _use_screen(folder, scale, options.screen or SCREENS.get(scale, LARGEST))
     # only now: these begin Qt's platform
     from app.bridge.collector import Collector
     from app.bridge.settings import LANGUAGE, THEME, Settings
     from app.player.application import make_application
     from app.player.remake import apply_appearance
     from hapticplayer.playback.source import open_source
-    from tools.pages import device, editor, library, player, study
+    from tools.pages import device, editor, kinds, library, player, study
     from tools.pages.material import make_material
     from tools.pages.stage import Stage
 
@@ -92,6 +95,7 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
         "library": library.pictures,
         "editor": editor.pictures,
         "study": study.pictures,
+        "kinds": kinds.pictures,
     }
     application = make_application()
     collector = Collector()  # else windows that are gone are freed in any thread
@@ -124,9 +128,9 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
     collector.end()
 
 
-def _use_screen(folder: Path, scale: float) -> None:
+def _use_screen(folder: Path, scale: float, size: tuple[int, int]) -> None:
     """Begin Qt on a screen of its own, with nothing of the user's."""
-    width, height = SCREENS.get(scale, LARGEST)
+    width, height = size
     screen = {"name": "HDMI-1", "x": 0, "y": 0, "width": width, "height": height}
     screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
     config = folder / "screens.json"

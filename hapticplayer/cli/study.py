@@ -26,7 +26,7 @@ from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.storage import FOLDER, refuse_existing
 from hapticplayer.study.creation import create_study, template_names
 from hapticplayer.study.definition_reader import to_be_worded
-from hapticplayer.study.merging import Merged, merge_sessions
+from hapticplayer.study.merging import account_of, copies_in, merge_copies
 from hapticplayer.study.overview import (
     approve_texts,
     missing_sequences,
@@ -160,7 +160,8 @@ def _add_merge(actions: Any) -> None:
         "others",
         metavar="[SITE=]FOLDER",
         nargs="+",
-        help="copies of the study, with the name of the site where each was run",
+        help="copies of the study, or a folder of copies (the names of its folders are "
+        "those of the sites), with the name of the site where each was run",
     )
     _add_json(action)
 
@@ -333,46 +334,26 @@ def pack(options: argparse.Namespace) -> int:
 
 def merge(options: argparse.Namespace) -> int:
     """Add the sessions of other machines; 1 where there were conflicts."""
-    study, found = open_study(options.study), []
+    copies: list[tuple[str, Path]] = []
     for text in options.others:
         site, mark, folder = text.partition("=")
         is_site = bool(mark) and not Path(text).exists()
-        other = open_study(folder if is_site else text)
-        found.append(merge_sessions(study, other, site if is_site else ""))
+        found_there = copies_in(Path(folder if is_site else text))
+        copies += [(site if is_site else name, one) for name, one in found_there]
+    others = [(site, open_study(folder)) for site, folder in copies]
+    with shown_progress() as progress:
+        found = merge_copies(open_study(options.study), others, progress)
     if options.json:
         say(json.dumps([{**asdict(one), "site": one.site._asdict()} for one in found]))
     for one in found:
         if not options.json:
-            say(_merged_text(one))
+            lead = f"{one.site.site}: " if one.site.site else ""
+            say(lead + "\n  ".join(account_of(one)))
         for notice in one.notices:
             say_aside(notice)
         for conflict in one.conflicts:
             complain(conflict)
     return 1 if any(one.conflicts for one in found) else 0
-
-
-def _merged_text(one: Merged) -> str:
-    """What came of a site, with its counts, devices and latencies."""
-    of, lead = one.site, f"{one.site.site}: " if one.site.site else ""
-    lines = [
-        f"{lead}{len(one.added)} sessions added, {len(one.same)} were here already"
-    ]
-    if of.sessions:
-        lines.append(
-            f"  {of.complete} complete, {of.simulated} simulated; {of.invalid} of "
-            f"{of.trials} trials not valid"
-        )
-        lines += [f"  {count} trials on {name}" for name, count in of.devices.items()]
-        lines += [
-            f"  {count} sessions by {name}" for name, count in of.programs.items()
-        ]
-    for name, latency in (("video", of.video_ms), ("sound", of.sound_ms)):
-        if latency is not None:
-            middle, worst = latency
-            lines.append(
-                f"  force minus {name}: median {middle:+.1f} ms, worst trial {worst:+.1f} ms"
-            )
-    return "\n".join(lines)
 
 
 def close_session(options: argparse.Namespace) -> int:

@@ -1,16 +1,19 @@
 """Merging the sessions of a copy of the study on another machine."""
 
+import re
 import shutil
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from hapticplayer import storage
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, Progress, StudyError, no_progress, part_of
+from hapticplayer.structures import KEY
 from hapticplayer.structures import decode as decode_json
 from hapticplayer.study.definition import read_file
+from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.journal import MAX_BYTES, decode
 from hapticplayer.study.plan import parse_plan_file
 from hapticplayer.study.session_folder import (
@@ -48,22 +51,37 @@ class Merged:
 
     added: tuple[str, ...]
     same: tuple[str, ...]
-    conflicts: tuple[str, ...]
-    notices: tuple[str, ...]
+    conflicts: tuple[Message, ...]
+    notices: tuple[Message, ...]
     site: SiteSummary
 
 
-def merge_sessions(study: Study, other: Study, site: str = "") -> Merged:
-    """Copy the sessions of another copy of a study into this one.
+def copies_in(folder: Path) -> list[tuple[str, Path]]:
+    """(site, copy of a study) for each copy in a folder; the folder itself if it is one.
 
-    Existing sessions are not changed; different sessions of one code are a conflict, and
-    so is one that is damaged, or ran something else than was packed; it stays where it is.
-
-    Args:
-        study: gets the sessions.
-        other: has them.
-        site: name of the place, which is kept with the sessions.
+    Of several, the names of their folders are those of the sites, where they can be.
     """
+    found = sorted(one.parent for one in folder.glob(f"*/{DEFINITION}"))
+    if (folder / DEFINITION).is_file() or not found:
+        return [("", folder)]
+    return [(one.name if re.fullmatch(KEY, one.name) else "", one) for one in found]
+
+
+def merge_copies(
+    study: Study, copies: Sequence[tuple[str, Study]], progress: Progress = no_progress
+) -> list[Merged]:
+    """Add the sessions of several copies, each with its site; all are looked at first."""
+    for site, other in copies:
+        _refuse_other(study, other, site)
+    made = []
+    for number, (site, other) in enumerate(copies):
+        report = part_of(progress, number, len(copies))
+        made.append(merge_sessions(study, other, site, report))
+    return made
+
+
+def _refuse_other(study: Study, other: Study, site: str) -> None:
+    """Refuse a copy of another study, of an altered one, and a site without a name."""
     if other.definition.id != study.definition.id:
         raise StudyError(
             "is the study {found}, not {expected}",
@@ -73,22 +91,46 @@ def merge_sessions(study: Study, other: Study, site: str = "") -> Merged:
             expected=study.definition.id,
         )
     refuse_other_package(study, other)
+    if site:
+        site_content(site)
+
+
+def merge_sessions(
+    study: Study, other: Study, site: str = "", progress: Progress = no_progress
+) -> Merged:
+    """Copy the sessions of another copy of a study into this one.
+
+    Existing sessions are not changed; different sessions of one code are a conflict, and
+    so is one that is damaged, or ran something else than was packed; it stays where it is.
+
+    Args:
+        study: gets the sessions.
+        other: has them.
+        site: name of the place, which is kept with the sessions.
+        progress: is told of each session; those before it raises are kept.
+    """
+    _refuse_other(study, other, site)
     storage.make_folder(study.folder / SESSIONS)
     storage.make_folder(study.folder / CONSENTS)
     added: list[StoredSession] = []
     same: list[str] = []
-    conflicts: list[str] = []
+    conflicts: list[Message] = []
     with storage.locked(study.folder), ThreadPoolExecutor(_AT_ONCE) as pool:
         here = study.codes()
         taken, codes = set(here), other.codes()
         found = pool.map(lambda code: _taken_up(study, other, code, site, taken), codes)
-        for code, one in zip(codes, found, strict=True):
-            if isinstance(one, StoredSession):
-                added.append(one)
-            elif one:
-                conflicts.append(f"{code}: {one}")
-            else:
-                same.append(code)
+        try:
+            for number, (code, one) in enumerate(zip(codes, found, strict=True)):
+                progress(number / len(codes), Message("copying the sessions"))
+                if isinstance(one, StoredSession):
+                    added.append(one)
+                elif one:
+                    conflicts.append(Message("{code}: {reason}", code=code, reason=one))
+                else:
+                    same.append(code)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
     return Merged(
         tuple(one.code for one in added),
         tuple(same),
@@ -98,21 +140,63 @@ def merge_sessions(study: Study, other: Study, site: str = "") -> Merged:
     )
 
 
+def account_of(one: Merged, named: Callable[[str], str] = str) -> list[Message]:
+    """What came of a copy: sessions, trials, devices, versions and latencies.
+
+    Args:
+        one: the copy.
+        named: what a device is called.
+    """
+    of = one.site
+    lines = [
+        Message(
+            "{added} sessions added, {same} were here already",
+            added=len(one.added),
+            same=len(one.same),
+        )
+    ]
+    if of.sessions:
+        lines.append(
+            Message(
+                "{complete} complete, {simulated} simulated; {invalid} of {trials} "
+                "trials not valid",
+                complete=of.complete,
+                simulated=of.simulated,
+                invalid=of.invalid,
+                trials=of.trials,
+            )
+        )
+    lines += [
+        Message("{count} trials on {device}", count=count, device=named(name))
+        for name, count in of.devices.items()
+    ]
+    lines += [
+        Message("{count} sessions by {program}", count=count, program=name)
+        for name, count in of.programs.items()
+    ]
+    video = "force minus video: median {middle:+.1f} ms, worst trial {worst:+.1f} ms"
+    sound = "force minus sound: median {middle:+.1f} ms, worst trial {worst:+.1f} ms"
+    for text, latency in ((video, of.video_ms), (sound, of.sound_ms)):
+        if latency is not None:
+            lines.append(Message(text, middle=latency[0], worst=latency[1]))
+    return lines
+
+
 def _taken_up(
     study: Study, other: Study, code: str, site: str, taken: Collection[str]
-) -> StoredSession | str:
+) -> StoredSession | Message:
     """A session that is copied, what is wrong with it, or "" if it is here already."""
     if code in taken:
         return _difference(study.session_folder(code), other.session_folder(code))
     try:
         return _copied(study, other, code, site)
     except StudyError as problem:
-        return f"cannot be read there ({problem})"
+        return Message("cannot be read there ({problem})", problem=problem)
 
 
 def _other_clips(
     study: Study, here: Sequence[str], added: Sequence[StoredSession]
-) -> Iterator[str]:
+) -> Iterator[Message]:
     """Yield which added sessions played other clips than the existing ones."""
     known: dict[str, set[str]] = {}
     for code in here if added else ():
@@ -123,9 +207,10 @@ def _other_clips(
     for session in added:
         for key, checksum in session.plan.clips.items():
             if key in known and checksum not in known[key]:
-                yield (
-                    f"{session.code}: played another sequence {key!r} than the "
-                    "sessions here"
+                yield Message(
+                    "{code}: played another sequence '{key}' than the sessions here",
+                    code=session.code,
+                    key=key,
                 )
 
 
@@ -187,29 +272,29 @@ def _copy(source: Path, target: Path) -> None:
         shutil.copyfileobj(reader, writer)
 
 
-def _difference(ours: Path, theirs: Path) -> str:
-    """Return how two sessions of one code differ, or ""."""
+def _difference(ours: Path, theirs: Path) -> Message:
+    """How two sessions of one code differ; empty if they do not."""
     try:
         left, right = (read_file(f / ANSWERS, MAX_BYTES) for f in (ours, theirs))
     except StudyError as problem:
-        return f"cannot be compared ({problem})"
+        return Message("cannot be compared ({problem})", problem=problem)
     return _different(left, right)
 
 
-def _different(ours: bytes, theirs: bytes) -> str:
-    """Return how two journals of one code differ, or ""."""
+def _different(ours: bytes, theirs: bytes) -> Message:
+    """How two journals of one code differ; empty if they do not."""
     left, right = decode(ours).intact, decode(theirs).intact
-    if left == right:
-        return ""
     shared = min(len(left), len(right))
-    if left[:shared] == right[:shared]:
-        if len(left) > len(right):
-            return ""  # an earlier copy of ours
-        return (
-            f"is longer there ({len(right) - shared} more records); "
-            "move the shorter one here out of the study and merge again"
+    if left[:shared] != right[:shared]:
+        return Message(
+            "two sessions of one code ({here} here, {there} there)",
+            here=sha256(ours)[:8],
+            there=sha256(theirs)[:8],
         )
-    return (
-        f"two sessions of one code ({sha256(ours)[:8]} here, "
-        f"{sha256(theirs)[:8]} there)"
+    if len(left) >= len(right):
+        return Message("")  # the same, or an earlier copy of ours
+    return Message(
+        "is longer there ({count} more records); "
+        "move the shorter one here out of the study and merge again",
+        count=len(right) - shared,
     )

@@ -18,7 +18,7 @@ from msgspec import Meta
 
 from hapticplayer import __version__, storage
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import Message, Progress, StudyError, no_progress
+from hapticplayer.errors import Message, Progress, StudyError, no_progress, part_of
 from hapticplayer.sequence.store import DESCRIPTION, copy_files
 from hapticplayer.structures import convert, decode
 from hapticplayer.study.definition import JsonObject, Key, read_file, refuse
@@ -96,12 +96,13 @@ def pack_study(
     content: dict[str, Any] = json.loads(study.content)
     with storage.folder_written_aside(target) as aside:
         (aside / _SEQUENCES).mkdir()
-        for entry in content["sequences"]:
-            key = entry["key"]
+        entries = content["sequences"]
+        for number, entry in enumerate(entries):
+            key, copied = entry["key"], part_of(progress, number, len(entries))
             folder = sequence_folder(study, key)
             entry["folder"] = f"{_SEQUENCES}/{key}"
             (aside / _SEQUENCES / key).mkdir()
-            copy_files(folder, aside / _SEQUENCES / key, progress)
+            copy_files(folder, aside / _SEQUENCES / key, copied)
         definition = storage.json_text(content)
         (aside / DEFINITION).write_bytes(definition)
         if (study.folder / ORDERS).is_file():

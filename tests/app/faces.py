@@ -47,8 +47,9 @@ from app.experimenter.rendering_page import RenderingPage
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study.editor import StudyEditor
-from app.experimenter.study.export_dialog import ExportDialog
+from app.experimenter.study.merge_page import MergePage
 from app.experimenter.study.new_study import NewStudyDialog
+from app.experimenter.study.place_dialogs import export_dialog, pack_dialog
 from app.experimenter.study.results import StudyResults
 from app.experimenter.study.sequences import LibraryChoice
 from app.player import setup_texts
@@ -70,11 +71,12 @@ from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.devices.falcon.firmware import find_image
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
-from hapticplayer.errors import DeviceError, UsageError
+from hapticplayer.errors import DeviceError, Message, UsageError
 from hapticplayer.model import Mapping
 from hapticplayer.playback.player import Player
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.study.creation import create_study
+from hapticplayer.study.merging import Merged
 from hapticplayer.study.overview import (
     InvalidTrial,
     SessionSummary,
@@ -83,6 +85,7 @@ from hapticplayer.study.overview import (
 )
 from hapticplayer.study.preflight import SessionCheck
 from hapticplayer.study.session_folder import SessionState
+from hapticplayer.study.sites import site_summary
 
 CONTROLS = (
     QAbstractButton,
@@ -155,7 +158,9 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             *(window.player.latch, window),
         ),
         "study-results": lambda: _results(study.folder, window),
-        "study-export": lambda: ExportDialog(study.folder, window),
+        "study-export": lambda: export_dialog(study.folder, window),
+        "study-pack": lambda: pack_dialog(study.folder, window),
+        "study-merge": lambda: _merge(study.folder, window),
         "new-study": lambda: NewStudyDialog(folder, window),
         "choose-recording": lambda: LibraryChoice(_library(window), window),
         **{
@@ -320,6 +325,17 @@ def _results(folder: Path, window: PlayerWindow) -> StudyResults:
     return page
 
 
+def _merge(folder: Path, window: PlayerWindow) -> MergePage:
+    """Return the page of copies with one that was merged."""
+    page = MergePage(folder, window)
+    page.add([folder])
+    conflict = Message("two sessions of one code")
+    summary = site_summary("", [])
+    page.copies[0].found = Merged(("CDFGHJ",), (), (conflict,), (), summary)
+    page._show_copies(0)
+    return page
+
+
 def _study_editor(folder: Path, tab: int, window: PlayerWindow) -> StudyEditor:
     """Return the editor of a study on one of its pages."""
     editor = StudyEditor(folder, lambda: _library(window), window)
@@ -380,10 +396,10 @@ def focus_shows(widget: QWidget) -> int:
         above = above.parentWidget()
     if above is not None:
         above.ensureWidgetVisible(widget)
+    widget.setFocus(Qt.FocusReason.TabFocusReason)  # which may scroll
     at = QRect(widget.mapTo(window, QPoint()), widget.size())
     at = at.adjusted(-MARGIN_PX, -MARGIN_PX, MARGIN_PX, MARGIN_PX)
     at = at.intersected(window.rect())
-    widget.setFocus(Qt.FocusReason.TabFocusReason)
     with_focus = _pixels(window, at)
     widget.clearFocus()
     changed = np.abs(with_focus - _pixels(window, at)).max(axis=2) > SEEN

@@ -7,8 +7,9 @@ from contextlib import contextmanager
 from msgspec.structs import replace
 
 from app.experimenter.study.editor import StudyEditor
-from app.experimenter.study.export_dialog import ExportDialog
+from app.experimenter.study.merge_page import MergePage
 from app.experimenter.study.new_study import NewStudyDialog
+from app.experimenter.study.place_dialogs import export_dialog, pack_dialog
 from app.experimenter.study.results import StudyResults
 from app.experimenter.study.sequences import LibraryChoice
 from app.participant.application import StudySession
@@ -43,13 +44,13 @@ def pictures(stage: Stage) -> Pictures:
     """Yield every page of a study."""
     study = _study(stage)
     yield from _editor(stage, study)
-    with _session(stage, study) as session:
+    with in_session(stage, study) as session:
         yield from _begin(stage, session)
-        yield from _pages(stage, session, PAGES, "")
+        yield from showing(stage, session, PAGES, "")
         yield from _while_it_runs(stage, session)
-    with _session(stage, _longer(study, stage.language)) as session:
+    with in_session(stage, _longer(study, stage.language)) as session:
         session.begin_session("", stage.language)
-        yield from _pages(stage, session, PAGES[4:5], "-long")
+        yield from showing(stage, session, PAGES[4:5], "-long")
 
 
 def _study(stage: Stage) -> Study:
@@ -65,7 +66,8 @@ def _longer(study: Study, language: str) -> Study:
 
 
 @contextmanager
-def _session(stage: Stage, study: Study) -> Iterator[StudySession]:
+def in_session(stage: Stage, study: Study) -> Iterator[StudySession]:
+    """The windows of a session, the participant's as large as the screen."""
     sources = load_study_sources(study)
     session = StudySession(study, sources, ["simulated"], SystemClock(), audio=None)
     try:
@@ -93,8 +95,14 @@ def _editor(stage: Stage, study: Study) -> Pictures:
     with stage.shown(results):
         stage.wait_until(lambda: results.overview is not None)
         yield "study-results", stage.picture(results)
-        export = ExportDialog(study.folder, results)
-        yield "study-export", stage.picture(export)
+        for name, make in (("export", export_dialog), ("pack", pack_dialog)):
+            yield f"study-{name}", stage.picture(make(study.folder, results))
+        merge = MergePage(study.folder, results)
+        merge.add([study.folder])
+        with stage.shown(merge):
+            merge.merge()
+            stage.wait_until(lambda: not merge.jobs.is_busy)
+            yield "study-merge", stage.picture(merge)
     editor = StudyEditor(study.folder, lambda: library)
     with stage.shown(editor):
         editor.conditions.add("delayed")
@@ -116,7 +124,8 @@ def _begin(stage: Stage, session: StudySession) -> Pictures:
     session.begin_session("", stage.language)
 
 
-def _pages(stage: Stage, session: StudySession, pages, more: str) -> Pictures:
+def showing(stage: Stage, session: StudySession, pages, more: str) -> Pictures:
+    """Yield pages (step, kind), and what they say of a missing answer."""
     runner, window = session.runner, session.participant
     plan = replace(runner.plan, language=stage.language)
     runner.maker = maker = PageMaker(runner.definition, plan, runner.minutes)

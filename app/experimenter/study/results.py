@@ -17,12 +17,15 @@ from PySide6.QtWidgets import (
 from app.bridge.jobs import in_child
 from app.bridge.languages import translated
 from app.experimenter.start_panel import reason_text
-from app.experimenter.study.export_dialog import ExportDialog
-from app.player.device_form import output_text
+from app.experimenter.study.merge_page import MergePage, device_name
+from app.experimenter.study.place_dialogs import (
+    PlaceDialog,
+    export_dialog,
+    pack_dialog,
+)
 from app.player.share_page import size_text
 from app.widgets import theme
 from app.widgets.buttons import Button, text_button
-from app.widgets.files import folder_dialog
 from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import (
     STRETCH,
@@ -36,9 +39,8 @@ from app.widgets.messages import JobRow, StatusLine
 from app.widgets.tables import plain_table
 from app.widgets.texts import date_text
 from hapticplayer.clock import SystemClock
-from hapticplayer.errors import HapticPlayerError, Message, Progress, joined
+from hapticplayer.errors import HapticPlayerError, Progress, joined
 from hapticplayer.study.definition import When
-from hapticplayer.study.merging import Merged, merge_sessions
 from hapticplayer.study.overview import (
     SessionSummary,
     StudyOverview,
@@ -48,6 +50,7 @@ from hapticplayer.study.overview import (
     traces_of,
 )
 from hapticplayer.study.session_folder import SessionState
+from hapticplayer.study.sites import Manifest, pack_study, signature_of
 from hapticplayer.study.steps import position_of
 from hapticplayer.study.study_export import export_study
 from hapticplayer.study.study_folder import (
@@ -58,12 +61,7 @@ from hapticplayer.study.study_folder import (
 
 translate = QCoreApplication.translate
 _SIZE_PX = (1040, 640)
-
-
-def merged(folder: Path, other: Path, *, progress: Progress) -> Merged:
-    """Add the sessions of a copy of the study."""
-    progress(0.0, Message("reading the sessions"))
-    return merge_sessions(open_study(folder), open_study(other))
+_BELOW = ("pack", "merge", "export", "analyse")  # buttons
 
 
 def deleted(folder: Path, code: str, *, progress: Progress) -> list[str]:
@@ -76,6 +74,11 @@ def exported(folder: Path, target: Path, form: str, *, progress: Progress) -> li
     """Export a study into a new folder, and return the notices."""
     report = export_study(open_study(folder), target, form, progress)
     return [*report["remarks"], *filter(None, [report["left_out"]])]
+
+
+def packed(folder: Path, target: Path, *, progress: Progress) -> Manifest:
+    """Write a copy of the study for other sites into a new folder."""
+    return pack_study(open_study(folder), target, progress)
 
 
 class StudyResults(JobDialog):
@@ -141,9 +144,14 @@ class StudyResults(JobDialog):
                 self.tr("Delete a participant; says first what is erased"),
                 self._delete,
             ),
+            "pack": (
+                self.tr("Pack\u2026"),
+                self.tr("Write a copy with all sequences, for other sites to run"),
+                self._pack,
+            ),
             "merge": (
                 self.tr("Merge\u2026"),
-                self.tr("Add the sessions of a copy of this study on another machine"),
+                self.tr("Add the sessions of copies of this study on other machines"),
                 self._merge,
             ),
             "export": (
@@ -191,7 +199,7 @@ class StudyResults(JobDialog):
         self.tabs.addTab(texts, self.tr("Text answers"))
         close = text_button(self.tr("&Close"), "", "primary")
         close.clicked.connect(self.reject)
-        below = [self.buttons[name] for name in ("merge", "export", "analyse")]
+        below = [self.buttons[name] for name in _BELOW]
         row = row_of(*below, STRETCH, close, spacing=8)
         fill_page(self, (self.tabs, 1), self.status, self.progress, row, spacing=8)
 
@@ -234,7 +242,7 @@ class StudyResults(JobDialog):
                 *(one.code, date_text(one.created_utc), _state_text(one)),
                 f"{one.answered} / {one.planned}",
                 str(len(one.invalid) or ""),
-                ", ".join(map(_device_text, one.devices)) or "\u2013",
+                ", ".join(map(device_name, one.devices)) or "\u2013",
             )
             for column, text in enumerate(cells):
                 self.sessions.setItem(row, column, QTableWidgetItem(text))
@@ -308,7 +316,8 @@ class StudyResults(JobDialog):
         self.buttons["end"].setEnabled(is_free and is_open)
         self.buttons["delete"].setEnabled(is_free and one is not None)
         self.buttons["approve"].setEnabled(is_free and bool(self.chosen_texts()))
-        self.buttons["merge"].setEnabled(is_free)
+        for name in ("pack", "merge"):
+            self.buttons[name].setEnabled(is_free)
         for name in ("export", "analyse"):
             self.buttons[name].setEnabled(is_free and has_sessions)
         self.details.setText(self._details(one) if one else "")
@@ -374,26 +383,40 @@ class StudyResults(JobDialog):
             text += " " + more.format(files=", ".join(left))
         self.status.show_text(text, theme.WARN if left else "")
 
+    def _pack(self) -> None:
+        self._ask_place(pack_dialog(self.folder, self), self.pack)
+
+    def pack(self, _form: str, target: Path) -> None:
+        """Write a copy for other sites into a new folder."""
+
+        def done(made: Manifest) -> None:
+            text = self.tr(
+                "Packed to {folder}. Sites can compare the checksum of what they got "
+                "(SHA-256 of the manifest): {checksum}"
+            )
+            self.status.show_text(
+                text.format(folder=target, checksum=signature_of(made))
+            )
+
+        self._run(self.tr("Packing"), packed, done, self.folder, target)
+
     def _merge(self) -> None:
-        title = self.tr("Choose the copy of this study")
-        dialog = folder_dialog(self, title, str(self.folder.parent))
-        dialog.fileSelected.connect(lambda path: self.merge(Path(path)))
-        dialog.open()
+        page = MergePage(self.folder, self)
+        page.finished.connect(self._on_merged)
+        page.finished.connect(page.deleteLater)
+        page.open()
 
-    def merge(self, other: Path) -> None:
-        """Add the sessions of a copy of the study."""
-        self._run(self.tr("Merging"), merged, self._say_merged, self.folder, other)
-
-    def _say_merged(self, found: Merged) -> None:
-        text = self.tr("Sessions added: {added}; here already: {same}.").format(
-            added=len(found.added), same=len(found.same)
-        )
-        lines = [text, *map(translated, (*found.notices, *found.conflicts))]
-        self.status.show_text("\n".join(lines), theme.WARN if found.conflicts else "")
+    def _on_merged(self) -> None:
+        if not self.is_leaving:
+            self.refresh()
 
     def _export(self) -> None:
-        dialog = ExportDialog(self.folder, self)
-        dialog.wanted.connect(self.export)
+        self._ask_place(export_dialog(self.folder, self), self.export)
+
+    def _ask_place(
+        self, dialog: PlaceDialog, wanted: Callable[[str, Path], None]
+    ) -> None:
+        dialog.wanted.connect(wanted)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
@@ -465,14 +488,6 @@ class StudyResults(JobDialog):
         self.progress.show_state(self.jobs.state())
         if is_over:
             self._on_chosen()
-
-
-def _device_text(name: str) -> str:
-    """The name of a device for people; of one that is not installed, as it is."""
-    try:
-        return output_text(name)
-    except LookupError:
-        return name
 
 
 def _state_text(one: SessionSummary) -> str:

@@ -1,13 +1,17 @@
 """After the sessions: who took part, texts, deleted participants, merged and exported data."""
 
+import json
 import shutil
 from dataclasses import replace
 
 import pytest
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
+from shiboken6 import isValid
 
 from app.experimenter.study import results
-from app.experimenter.study.export_dialog import ExportDialog
+from app.experimenter.study.merge_page import MergePage
+from app.experimenter.study.place_dialogs import PlaceDialog, export_dialog
 from app.experimenter.study.results import StudyResults
 from hapticplayer.clock import SystemClock
 from hapticplayer.simulation.sessions import write_scripted_session
@@ -16,6 +20,7 @@ from hapticplayer.study.journal import Journal
 from hapticplayer.study.overview import UnreviewedText, study_overview
 from hapticplayer.study.plan import describe
 from hapticplayer.study.session_folder import SessionState
+from hapticplayer.study.sites import MANIFEST, check_package, site_of
 from hapticplayer.study.study_export import study_exporters
 from hapticplayer.study.study_folder import begin_session, open_study
 
@@ -172,37 +177,119 @@ def test_an_unfinished_session_is_ended_with_a_reason(
     assert study.session(codes[1]).state is SessionState.STOPPED
 
 
-def test_sessions_of_another_machine_are_added(page, study, codes, tmp_path, wait_for):
-    copy = tmp_path / "copy"
-    shutil.copytree(study.folder, copy)
-    theirs = half_session(open_study(copy))
-    page.merge(copy)
-    wait_for(lambda: page.sessions.rowCount() == 3)
-    assert row_of(page, theirs)[3] == "1 / 12"
-    assert "added: 1; here already: 2" in page.status.text()
+@pytest.fixture
+def merging(page):
+    """The page of copies, as the button opens it."""
+    page.buttons["merge"].click()
+    (made,) = page.findChildren(MergePage)
+    yield made
+    if isValid(made):
+        made.done(0)
 
 
-def test_a_folder_that_is_no_copy_is_refused(page, tmp_path, wait_for):
-    other = create_study(tmp_path / "other")
-    page.merge(other.folder)
-    wait_for(lambda: "is the study" in page.status.text())
+@pytest.fixture
+def sites(study, codes, tmp_path):
+    """A folder with the copies of two sites, and the code of each one's session."""
+    made = {}
+    for name in ("berlin", "rennes"):
+        copy = tmp_path / "sites" / name
+        shutil.copytree(study.folder, copy)
+        made[name] = half_session(open_study(copy))
+    return tmp_path / "sites", made
+
+
+def test_sessions_of_all_sites_are_added_and_told(
+    page, merging, sites, study, wait_for
+):
+    folder, made = sites
+    merging.add([folder, folder / "berlin"])
+    assert [one.site for one in merging.copies] == ["berlin", "rennes"]
+    merging.site.clear()
+    QTest.keyClicks(merging.site, "dinard")  # of the last one, which is selected
+    merging.start.click()
+    wait_for(lambda: not merging.jobs.is_busy)
+    assert "added: 2; here already: 4; left out: 0" in merging.status.text()
+    assert merging.table.item(1, 2).text().endswith("added: 1, here already: 2")
+    told = merging.detail.toPlainText()
+    assert "1 of 1 trials not valid" in told
+    assert "1 trials on Simulated" in told
+    found = {code: site_of(study.session_folder(code)) for code in study.codes()}
+    assert found[made["rennes"]] == "dinard"
+    merging.reject()
+    wait_for(lambda: page.sessions.rowCount() == 4)
+    assert row_of(page, made["berlin"])[3] == "1 / 12"
+
+
+def test_one_stranger_among_copies_keeps_all_out(
+    merging, sites, study, tmp_path, wait_for
+):
+    folder, _ = sites
+    stranger = create_study(tmp_path / "other").folder
+    before = study.codes()
+    merging.add([folder, stranger])
+    merging.start.click()
+    wait_for(lambda: "is the study" in merging.status.text())
+    assert str(stranger) in merging.status.text()
+    assert study.codes() == before
+    merging.remove.click()
+    assert [one.folder for one in merging.copies] == [
+        folder / "berlin",
+        folder / "rennes",
+    ]
+
+
+def test_a_session_left_out_is_selected_with_its_reason(merging, sites, wait_for):
+    folder, made = sites
+    path = folder / "berlin" / "sessions" / made["berlin"] / "answers.jsonl"
+    path.write_bytes(path.read_bytes().replace(b"4", b"5", 1))
+    merging.add([folder])
+    merging.start.click()
+    wait_for(lambda: "left out: 1" in merging.status.text())
+    assert merging.chosen().site == "berlin"
+    assert merging.detail.toPlainText().startswith(f"{made['berlin']}: ")
+
+
+def test_a_study_is_packed_for_other_sites(
+    application, qtbot, sequence, tmp_path, wait_for
+):
+    keys = ("bike", "horse", "car-turning", "car-braking")
+    study = create_study(tmp_path / "whole", folders=dict.fromkeys(keys, sequence))
+    page = StudyResults(study.folder)
+    qtbot.addWidget(page)
+    wait_for(lambda: not page.jobs.is_busy)
+    page.buttons["pack"].click()
+    (dialog,) = page.findChildren(PlaceDialog)
+    dialog.place.setText(str(tmp_path / "out"))
+    dialog.make_button.click()
+    wait_for(lambda: not page.jobs.is_busy)
+    package = open_study(tmp_path / "out" / "whole-package")
+    check_package(package)
+    checksum = json.loads((package.folder / MANIFEST).read_bytes())["sha256"]
+    assert checksum in page.status.text()
+    page.close()
+
+
+def test_a_study_without_its_sequences_says_what_to_choose(page, tmp_path, wait_for):
+    page.pack("package", tmp_path / "package")
+    wait_for(lambda: "choose its folder" in page.status.text())
+    assert not (tmp_path / "package").exists()
 
 
 @pytest.mark.parametrize("form", study_exporters())
 def test_data_are_exported_to_the_place_of_the_form(
     page, qtbot, tmp_path, wait_for, form
 ):
-    dialog = ExportDialog(page.folder, page)
+    dialog = export_dialog(page.folder, page)
     dialog.wanted.connect(page.export)
     dialog.form.setCurrentIndex(dialog.form.findData(form))
     dialog.place.setText(str(tmp_path / "out"))
     assert str(tmp_path / "out" / f"study-{form}") in dialog.whole.text()
-    dialog.export_button.click()
+    dialog.make_button.click()
     wait_for(lambda: "Exported to" in page.status.text())
     assert any(path.is_file() for path in (tmp_path / "out").rglob("*"))
     assert "2 text answers were left out" in page.status.text()
     dialog.place.setText(str(tmp_path / "out "))
-    assert not dialog.export_button.isEnabled()
+    assert not dialog.make_button.isEnabled()
     assert "exists" in dialog.problem.text()
 
 

@@ -346,7 +346,7 @@ def test_a_signal_ends_any_command_in_order(monkeypatch, capsys, number):
         finally:
             tidied.append(number)
 
-    monkeypatch.setattr("hapticplayer.cli.study.merge_sessions", run)
+    monkeypatch.setattr("hapticplayer.cli.study.merge_copies", run)
     monkeypatch.setattr("hapticplayer.cli.study.open_study", str)
     assert cli.main(["study", "merge", "here", "there"]) == 128 + number
     assert tidied == [number]

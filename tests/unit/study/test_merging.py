@@ -4,11 +4,11 @@ import shutil
 
 import pytest
 
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Cancelled, StudyError
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.journal import encode
-from hapticplayer.study.merging import merge_sessions
+from hapticplayer.study.merging import merge_copies, merge_sessions
 from hapticplayer.study.study_folder import begin_session, open_study
 from tests.unit.study.conftest import tree
 
@@ -58,9 +58,30 @@ def test_sessions_that_played_other_clips_are_named(study, other, manual_clock):
     )
 
 
-def test_another_study_is_refused(study, scripted, tmp_path):
+def test_a_stranger_among_copies_keeps_all_of_them_out(
+    study, other, scripted, tmp_path
+):
+    scripted(other)
     stranger = create_study(tmp_path / "stranger")
-    scripted(stranger)
+    before = tree(study.folder)
     with pytest.raises(StudyError, match="is the study"):
-        merge_sessions(study, stranger)
-    assert study.codes() == []
+        merge_copies(study, [("", other), ("", stranger)])
+    with pytest.raises(StudyError, match="site"):
+        merge_copies(study, [("", other), ("Two Words", other)])
+    assert tree(study.folder) == before
+
+
+def test_a_merge_that_is_stopped_keeps_whole_sessions(study, other, scripted):
+    codes = [scripted(other) for _ in range(3)]
+
+    def stop(fraction, _step):
+        if fraction > 0:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        merge_copies(study, [("", other)], stop)
+    there = study.codes()
+    assert set(there) <= set(codes)
+    assert all(study.session(code).is_sound for code in there)
+    again = merge_sessions(study, other)
+    assert sorted([*again.added, *again.same]) == sorted(codes)

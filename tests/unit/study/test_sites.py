@@ -65,10 +65,9 @@ def test_a_package_that_was_altered_does_not_run(packed, name, before, after, re
 
 def test_sites_come_together_with_their_names(packed, scripted, tmp_path, capsys):
     study, package = packed
-    codes = {}
-    for name in ("berlin", "rennes"):
-        codes[name] = [scripted(site(package, tmp_path / name)) for _ in range(1)]
-    folders = [f"{name}={tmp_path / name}" for name in codes]
+    places = {"berlin": tmp_path / "all" / "berlin", "rennes": tmp_path / "elsewhere"}
+    codes = {name: [scripted(site(package, at))] for name, at in places.items()}
+    folders = [str(tmp_path / "all"), f"rennes={places['rennes']}"]
     assert cli.main(["study", "merge", str(study.folder), *folders, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert [one["added"] for one in found] == list(codes.values())
@@ -82,7 +81,7 @@ def test_sites_come_together_with_their_names(packed, scripted, tmp_path, capsys
     rows = (tmp_path / "csv" / "participants.csv").read_text(encoding="utf-8")
     assert rows.splitlines()[0].endswith(",site")
     assert rows.count(",berlin\n") == 1
-    again = merge_sessions(study, open_study(tmp_path / "berlin"), "berlin")
+    again = merge_sessions(study, open_study(places["berlin"]), "berlin")
     assert again.same == tuple(codes["berlin"])
 
 
