@@ -337,11 +337,21 @@ class SessionControl(QMainWindow):
             runner.pause()
 
     def _skip(self, runner: SessionRunner) -> None:
+        step = runner.step
         reason = ask_text(
             self, self.tr("Skip"), self.tr("Reason for skipping this step:")
         )
-        if reason and reason.strip():
+        if not reason or not reason.strip():
+            return
+        if runner.step == step:
             runner.skip(reason)
+        else:
+            self.show_message(
+                self.tr(
+                    "Nothing was skipped: the participant has gone on to another step "
+                    "meanwhile. To skip this one, press Skip again."
+                )
+            )
 
     def _end(self, runner: SessionRunner) -> None:
         reason = ask_text(

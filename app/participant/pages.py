@@ -189,7 +189,9 @@ class QuestionsPage(FittedPage):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         digit = digit_of(event)
-        if digit >= 0 and self.rows and not is_typing(self.focusWidget()):
+        if event.isAutoRepeat() and (digit >= 0 or event.key() in _ENTER):
+            event.accept()  # a key that is held answers one question
+        elif digit >= 0 and self.rows and not is_typing(self.focusWidget()):
             row = self.rows[self._current]
             if row.take_digit(digit) and row.goes_on:
                 self._to_next()

@@ -83,9 +83,15 @@ class QuestionRow(QFrame):
         """Take the keyboard."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
-        """Emit `entered` when a field gets the focus; buttons do so themselves."""
+        """Emit `entered` when a field gets the focus; buttons do so themselves.
+
+        The wheel scrolls the page and changes no answer.
+        """
         if event.type() == QEvent.Type.FocusIn:
             self.entered.emit()
+        if event.type() == QEvent.Type.Wheel:
+            event.ignore()
+            return True
         return super().eventFilter(watched, event)
 
     def show_current(self, *, is_current: bool) -> None:

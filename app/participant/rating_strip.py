@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.participant.questions import digit_of
+from app.participant.visual_scale import LabelRoom, rooms_of
 from app.widgets import theme
 from hapticplayer.study.definition import LiveRating, RatingKind
 from hapticplayer.study.live_ratings import RATE_HZ
@@ -25,7 +26,9 @@ TYPED_MS = 2500
 """After so long what was typed is the number."""
 STEPS = 20
 """Of a notch of the wheel, and of an arrow key, over the range of a slider."""
-_LETTERS, _SMALLEST_PX, _OF_HEIGHT = 4.9, 11, 36  # height of the strip; of a letter
+_SMALLEST_PX, _OF_HEIGHT = 11, 36  # of a letter
+_TEXT, _LINE_AT, _BELOW = 2.35, 0.65, 1.3  # letters: text, line and labels below it
+_FOOT = 0.25  # of a letter
 _LINE, _TICK, _MARK, _LAMP = 0.10, 0.30, 0.38, 0.55  # of a letter
 _HOLDS: dict[str, tuple[Qt.Key, ...]] = {
     "enter": (Qt.Key.Key_Return, Qt.Key.Key_Enter),
@@ -53,7 +56,7 @@ class RatingStrip(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.axis: Axis = _no_axis
-        self.typed, self._language = "", ""
+        self.typed, self._language, self._text_px = "", "", 0.0
         self._watching: Watching | None = None
         self._pointer = QPoint()
         self._was_asking: LiveRating | None = None
@@ -108,9 +111,11 @@ class RatingStrip(QWidget):
             if asking is not None:
                 self.asked.emit()
 
+    def _ratings(self) -> tuple[LiveRating, ...]:
+        return self._watching.ratings if self._watching else ()
+
     def _sliders(self, by: str) -> Iterator[LiveRating]:
-        ratings = self._watching.ratings if self._watching else ()
-        return (one for one in ratings if by in one.by)
+        return (one for one in self._ratings() if by in one.by)
 
     def _move(self, one: LiveRating, value: float) -> None:
         assert self._watching is not None
@@ -175,7 +180,7 @@ class RatingStrip(QWidget):
         if asking is None or asking.spoken:
             return False
         digit = digit_of(event)
-        if digit >= 0:
+        if digit >= 0 and not event.isAutoRepeat():
             self._type(asking, f"{self.typed}{digit}")
         elif event.key() == Qt.Key.Key_Backspace:
             self._type(asking, self.typed[:-1])
@@ -208,19 +213,33 @@ class RatingStrip(QWidget):
     # --- how it looks -----------------------------------------------------------
 
     def _fit(self) -> None:
-        """Take a height and letters for the window."""
+        """Take letters for the window, and a height for all lines of the texts."""
         high_px = self.window().height()
         font = QFont(self.font())
         font.setPixelSize(max(_SMALLEST_PX, round(high_px / _OF_HEIGHT)))
         self.setFont(font)
-        self.setFixedHeight(round(_LETTERS * self.fontMetrics().height()))
+        metrics, ratings = self.fontMetrics(), self._ratings()
+        letter_px = metrics.height()
+        self.resize(self.window().width(), self.height())
+        texts = [
+            LabelRoom(one.text[self._language], cell.left(), cell.right())
+            for one in ratings
+            for cell in (self._cell(one),)
+        ]
+        labels = [room for one in ratings for room in self.label_rooms(one)]
+        high = [
+            max((r.high_px(metrics) for r in of), default=0) for of in (texts, labels)
+        ]
+        self._text_px = max(_TEXT * letter_px, high[0])
+        below_px = max(letter_px, high[1]) + (_BELOW + _FOOT) * letter_px
+        self.setFixedHeight(round(self._text_px + below_px))
 
     def sizeHint(self) -> QSize:
         return QSize(0, self.height())
 
     def _cell(self, one: LiveRating) -> QRectF:
         """The part of the strip that a rating has."""
-        ratings = self._watching.ratings if self._watching else (one,)
+        ratings = self._ratings() or (one,)
         wide_px = self.width() / len(ratings)
         aside_px = 1.0 * self.fontMetrics().height()
         cell = QRectF(ratings.index(one) * wide_px, 0.0, wide_px, self.height())
@@ -231,7 +250,7 @@ class RatingStrip(QWidget):
         cell, letter_px = self._cell(one), float(self.fontMetrics().height())
         thick_px = max(2.0, _LINE * letter_px)
         aside_px = _MARK * letter_px + 2.0
-        at_px = 3.0 * letter_px - thick_px / 2.0
+        at_px = self._text_px + _LINE_AT * letter_px - thick_px / 2.0
         wide_px = cell.width() - 2.0 * aside_px
         return QRectF(cell.left() + aside_px, at_px, wide_px, thick_px)
 
@@ -256,7 +275,7 @@ class RatingStrip(QWidget):
     def _paint_text(self, painter: QPainter, one: LiveRating) -> None:
         """What is rated, on the first two lines of the cell."""
         box = self._cell(one)
-        box.setHeight(2.35 * self.fontMetrics().height())
+        box.setHeight(self._text_px)
         painter.setPen(_dark("DIM"))
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
         painter.drawText(box, flags, one.text[self._language])
@@ -265,37 +284,37 @@ class RatingStrip(QWidget):
         assert self._watching is not None
         letter_px = float(self.fontMetrics().height())
         self._paint_text(painter, one)
-        line, labels = self._line(one), {o.at: o.text for o in one.labels}
+        line = self._line(one)
         painter.fillRect(line, _dark("BORDER"))
         painter.setPen(QPen(_dark("BORDER"), line.height()))
-        for value in {*_limits(one), *labels}:
+        for value in {*_limits(one), *(label.at for label in one.labels)}:
             at, half = self._at(one, value), QPointF(0.0, _TICK * letter_px)
             painter.drawLine(at - half, at + half)
         painter.setPen(_dark("DIM"))
-        for value, text in labels.items():
-            self._paint_label(painter, one, value, text[self._language])
+        for room in self.label_rooms(one):
+            room.draw(painter, self._text_px + _BELOW * letter_px, self.height())
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(_dark("TEXT"))
         radius_px = _MARK * letter_px
         at = self._at(one, self._watching.values[one.key])
         painter.drawEllipse(at, radius_px, radius_px)
 
-    def _paint_label(
-        self, painter: QPainter, one: LiveRating, at: int, text: str
-    ) -> None:
-        cell, metrics = self._cell(one), self.fontMetrics()
-        most_px = int(cell.width() / max(1, len(one.labels)))
-        text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, most_px)
-        wide_px = metrics.horizontalAdvance(text)
-        left_px = self._at(one, at).x() - wide_px / 2.0
-        left_px = min(max(cell.left(), left_px), cell.right() - wide_px)
-        painter.drawText(QPointF(left_px, 4.4 * metrics.height()), text)
+    def label_rooms(self, one: LiveRating) -> list[LabelRoom]:
+        """Where the labels of a slider are."""
+        cell = self._cell(one)
+        edges = cell.left(), cell.right()
+        labels = {self._at(one, at).x(): text for at, text in self._labels(one)}
+        return rooms_of(self.fontMetrics(), labels, edges)
+
+    def _labels(self, one: LiveRating) -> list[tuple[int, str]]:
+        return [(label.at, label.text[self._language]) for label in one.labels]
 
     def _paint_key(self, painter: QPainter, one: LiveRating) -> None:
         assert self._watching is not None
         self._paint_text(painter, one)
         letter_px = self.fontMetrics().height()
-        middle = QPointF(self._cell(one).center().x(), 3.6 * letter_px)
+        below_px = self._text_px + (_BELOW - 0.05) * letter_px
+        middle = QPointF(self._cell(one).center().x(), below_px)
         is_held = bool(self._watching.values[one.key])
         painter.setPen(QPen(_dark("DIM"), 2.0))
         painter.setBrush(_dark("TEXT") if is_held else Qt.BrushStyle.NoBrush)
@@ -305,7 +324,7 @@ class RatingStrip(QWidget):
         self._paint_text(painter, one)
         least, most = (round(limit) for limit in _limits(one))
         box = self._cell(one)
-        box.setTop(2.9 * self.fontMetrics().height())
+        box.setTop(self._text_px + 0.55 * self.fontMetrics().height())
         range_text = f"{least} \u2013 {most}"
         painter.setPen(_dark("TEXT"))
         text = self.typed or (range_text if one.spoken else f"{range_text}:  _")

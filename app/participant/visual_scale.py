@@ -1,15 +1,28 @@
 """A line on which a mark is set by mouse, touch or keys; there is none at first."""
 
 from collections.abc import Mapping
+from itertools import pairwise
+from typing import NamedTuple
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFontMetrics,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QSlider
 
 from app.widgets import theme
 
 _TOUCH_PX, _WIDE_PX = 44, 240
 _LINE, _TICK, _MARK = 0.10, 0.35, 0.42  # of a letter: line, half a tick, radius
+_APART = 0.6  # of a letter: between two labels
+_INNER = 0.3  # of its room: a label with less on one side is aligned to that edge
 _PAGE = 10
 _KEYS = (
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Home, Qt.Key.Key_End),
@@ -35,8 +48,9 @@ class VisualScale(QSlider):
         self.setPageStep(_PAGE)
         self.setValue(sum(limits) // 2)  # from where the arrows start
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        policy = QSizePolicy.Policy
-        self.setSizePolicy(policy.Expanding, policy.Fixed)
+        policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        policy.setHeightForWidth(True)
+        self.setSizePolicy(policy)
 
     def mark(self, value: int) -> None:
         """Set the mark."""
@@ -58,10 +72,15 @@ class VisualScale(QSlider):
 
     def _take(self, event: QMouseEvent) -> None:
         if event.buttons() & Qt.MouseButton.LeftButton:
-            share = (event.position().x() - self._line().left()) / self._line().width()
+            line = self._line(self.width())
+            share = (event.position().x() - line.left()) / line.width()
             share = min(1.0, max(0.0, share))
             span = self.maximum() - self.minimum()
             self.mark(self.minimum() + round(share * span))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Leave the wheel to the page: it sets no mark."""
+        event.ignore()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave Up, Down, Enter and digits to the page."""
@@ -76,52 +95,120 @@ class VisualScale(QSlider):
     def sizeHint(self) -> QSize:
         """Two letters high, and a line of labels."""
         letter_px = self.fontMetrics().height()
-        high_px = max(_TOUCH_PX, round(1.6 * letter_px))
-        return QSize(_WIDE_PX, high_px + (letter_px if self._labels else 0))
+        return QSize(_WIDE_PX, self._above_px() + (letter_px if self._labels else 0))
 
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint()
 
-    def _line(self) -> QRectF:
+    def heightForWidth(self, width_px: int) -> int:
+        """As high as the labels are that have several lines at this width."""
+        rooms, metrics = self.label_rooms(width_px), self.fontMetrics()
+        high_px = max((room.high_px(metrics) for room in rooms), default=0)
+        return self._above_px() + high_px
+
+    def _above_px(self) -> int:
+        """Height of the line with its mark."""
+        return max(_TOUCH_PX, round(1.6 * self.fontMetrics().height()))
+
+    def _line(self, width_px: int) -> QRectF:
         """The line, with room for the mark at both ends."""
         letter_px = float(self.fontMetrics().height())
         aside_px = _MARK * letter_px + 4.0
-        high_px = self.height() - (letter_px if self._labels else 0.0)
         thick_px = max(3.0, _LINE * letter_px)
-        wide_px = self.width() - 2.0 * aside_px
-        return QRectF(aside_px, 0.5 * (high_px - thick_px), wide_px, thick_px)
+        top_px = 0.5 * (self._above_px() - thick_px)
+        return QRectF(aside_px, top_px, width_px - 2.0 * aside_px, thick_px)
 
-    def _at(self, value: int) -> QPointF:
-        line = self._line()
+    def label_rooms(self, width_px: int) -> list["LabelRoom"]:
+        """Where the labels are at a width."""
+        line = self._line(width_px)
+        labels = {self._at(at, line).x(): text for at, text in self._labels.items()}
+        return rooms_of(self.fontMetrics(), labels, (0.0, line.right() + line.left()))
+
+    def _at(self, value: int, line: QRectF) -> QPointF:
         share = (value - self.minimum()) / (self.maximum() - self.minimum())
         return QPointF(line.left() + share * line.width(), line.center().y())
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        line, letter_px = self._line(), self.fontMetrics().height()
+        line, letter_px = self._line(self.width()), self.fontMetrics().height()
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.fillRect(line, QColor(theme.DIM))
             painter.setPen(QPen(QColor(theme.DIM), line.height()))
             for value in (self.minimum(), self.maximum(), *self._labels):
-                at, half = self._at(value), QPointF(0.0, _TICK * letter_px)
+                at, half = self._at(value, line), QPointF(0.0, _TICK * letter_px)
                 painter.drawLine(at - half, at + half)
             painter.setPen(QColor(theme.TEXT))
-            for value, text in self._labels.items():
-                painter.drawText(self._under(value, text), text)
+            for room in self.label_rooms(self.width()):
+                room.draw(painter, self._above_px(), self.height())
             if self.is_marked:
                 painter.setPen(QPen(QColor(theme.TEXT), 2.0))
                 painter.setBrush(QColor(theme.PRIMARY))
                 radius_px = _MARK * letter_px
-                painter.drawEllipse(self._at(self.value()), radius_px, radius_px)
+                painter.drawEllipse(self._at(self.value(), line), radius_px, radius_px)
             if self.hasFocus():
                 painter.setPen(QPen(QColor(theme.FOCUS), 3.0))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 frame = QRectF(self.rect()).adjusted(2, 2, -2, -2)
                 painter.drawRoundedRect(frame, 8.0, 8.0)
 
-    def _under(self, value: int, text: str) -> QPointF:
-        """Where a label begins: centred, but not over the edge."""
-        wide_px = self.fontMetrics().horizontalAdvance(text)
-        left_px = self._at(value).x() - wide_px / 2.0
-        left_px = min(max(0.0, left_px), self.width() - wide_px)
-        return QPointF(left_px, self.height() - self.fontMetrics().descent() - 2.0)
+
+_WRAPPED = Qt.TextFlag.TextWordWrap | Qt.TextFlag.TextWrapAnywhere
+_ENDLESS_PX = 10_000
+
+
+class LabelRoom(NamedTuple):
+    """Where the label of a point is drawn, in as many lines as it takes."""
+
+    text: str
+    left_px: float
+    right_px: float
+    side: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignHCenter
+
+    def draw(self, painter: QPainter, top_px: float, bottom_px: float) -> None:
+        box = QRectF(self.left_px, top_px, self.right_px - self.left_px, 0.0)
+        box.setBottom(bottom_px)
+        flags = self.side | Qt.AlignmentFlag.AlignTop | _WRAPPED
+        painter.drawText(box, flags, self.text)
+
+    def high_px(self, metrics: QFontMetrics) -> int:
+        wide_px = max(1, int(self.right_px - self.left_px))
+        box = QRect(0, 0, wide_px, _ENDLESS_PX)
+        return metrics.boundingRect(box, int(_WRAPPED), self.text).height()
+
+
+def rooms_of(
+    metrics: QFontMetrics,
+    labels: Mapping[float, str],
+    edges_px: tuple[float, float],
+) -> list[LabelRoom]:
+    """The room of each label, at most up to half the way to its neighbours.
+
+    Args:
+        metrics: of the letters.
+        labels: by the place of their point, px.
+        edges_px: left and right one of all.
+    """
+    if not labels:
+        return []
+    places, half_px = sorted(labels), 0.5 * _APART * metrics.height()
+    middles = [(one + other) / 2.0 for one, other in pairwise(places)]
+    lefts = [edges_px[0], *(middle + half_px for middle in middles)]
+    rights = [*(middle - half_px for middle in middles), edges_px[1]]
+    return [
+        _room(labels[at], at, left, right, metrics.horizontalAdvance(labels[at]) + 2.0)
+        for at, left, right in zip(places, lefts, rights, strict=True)
+    ]
+
+
+def _room(text: str, at: float, left: float, right: float, wide: float) -> LabelRoom:
+    """Below its point as far as that is possible; px."""
+    if wide <= right - left:
+        left = min(max(left, at - wide / 2.0), right - wide)
+        return LabelRoom(text, left, left + wide)
+    half = min(at - left, right - at)
+    if half >= _INNER * (right - left):
+        return LabelRoom(text, at - half, at + half)
+    is_first = at - left < right - at
+    align = Qt.AlignmentFlag
+    side = align.AlignLeft if is_first else align.AlignRight
+    return LabelRoom(text, left, right, side)

@@ -32,7 +32,8 @@ class Button(QPushButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in _PRESSING[1:]:
-            self.click()
+            if not event.isAutoRepeat():  # held, it would press what comes next, too
+                self.click()
         else:
             super().keyPressEvent(event)
 

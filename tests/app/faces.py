@@ -332,7 +332,7 @@ def _merge(folder: Path, window: PlayerWindow) -> MergePage:
     conflict = Message("two sessions of one code")
     summary = site_summary("", [])
     page.copies[0].found = Merged(("CDFGHJ",), (), (conflict,), (), summary)
-    page._show_copies(0)
+    page.show_copies(0)
     return page
 
 

@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 from sitting import KEYS, Person
 
+from app.experimenter import session_control
 from app.participant.pages import QuestionsPage, TextPage
 from app.participant.questions import ButtonsRow, NumberRow
 from hapticplayer.study.analysis.blocks import ReportTable
@@ -277,6 +278,28 @@ def test_the_operator_repeats_skips_and_notes(make_study, sit, wait_for):
     ]
     assert kinds.count("note") == 1
     assert kinds.count("repeat") == 1
+
+
+def test_a_skip_skips_the_step_that_was_asked_about(
+    make_study, sit, wait_for, monkeypatch
+):
+    session = sit(make_study())
+    person, control = Person(session, wait_for), session.control
+    person.page.buttons["agree"].setFocus()
+    person.key(Qt.Key.Key_Space)
+    person.wait_page(PageKind.QUESTIONS, "sheet")
+
+    def ask(*_):
+        person.answer_sheet()  # meanwhile
+        return "tired"
+
+    monkeypatch.setattr(session_control, "ask_text", ask)
+    control.buttons["skip"].click()
+    assert "Nothing was skipped" in control.messages.text()
+    person.wait_page(PageKind.DEMONSTRATION)
+    monkeypatch.setattr(session_control, "ask_text", lambda *_: "known already")
+    control.buttons["skip"].click()
+    person.wait_page(PageKind.READY, "trial-01")
 
 
 @needs("rigs")

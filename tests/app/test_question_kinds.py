@@ -6,18 +6,21 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QKeyEvent, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 from sitting import Person
 
 from app.participant.questions import ROWS
+from app.participant.visual_scale import VisualScale
 from hapticplayer.study.creation import add_scale, change_definition
 from hapticplayer.study.definition import QuestionKind, When
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.scales import page_of_scale
 from tests.every_kind import drawn, with_every_kind
 
+LEAST_PX = 44  # of the line
 ROOMS = ((1920, 1080), (1280, 720), (800, 500))
 
 
@@ -87,6 +90,50 @@ def test_up_and_down_lead_from_a_mark_to_its_neighbours(page):
     press(page, Qt.Key.Key_Down)
     assert page.rows[2].property("role") == "current"
     assert row.value() is None
+
+
+@pytest.mark.parametrize("kind", [QuestionKind.VISUAL, QuestionKind.NUMBER])
+def test_the_wheel_answers_no_question(page, kind):
+    row = row_of(page, kind)
+    for given in (None, 3):
+        row.set_value(given)
+        turned = QWheelEvent(
+            *(QPointF(5, 5), QPointF(5, 5), QPoint(), QPoint(0, 120)),
+            *(Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier),
+            *(Qt.ScrollPhase.NoScrollPhase, False),
+        )
+        QApplication.sendEvent(row_control(row), turned)
+        assert row.value() == given
+
+
+def test_a_key_that_is_held_answers_one_question(page, qtbot):
+    row = row_of(page, QuestionKind.SCALE)
+    QTest.keyPress(page.focusWidget(), Qt.Key.Key_2)
+    with qtbot.assertNotEmitted(page.finished):
+        for key in (Qt.Key.Key_2, Qt.Key.Key_Return):
+            event = QKeyEvent(
+                QEvent.Type.KeyPress, key, Qt.KeyboardModifier(), "", True
+            )
+            QApplication.sendEvent(page.focusWidget(), event)
+    assert row.value() == -2
+    assert {one.value() or None for one in page.rows if one is not row} == {None}
+
+
+@pytest.mark.parametrize("wide_px", [1200, 500])
+@pytest.mark.parametrize("places", [(0, 50, 100), (0, 10, 90), (40, 50, 60)])
+def test_long_labels_of_a_mark_are_whole_and_apart(qtbot, wide_px, places):
+    words = "as strong as anything that I have ever felt in my whole life"
+    scale = VisualScale((0, 100), dict.fromkeys(places, words))
+    qtbot.addWidget(scale)
+    scale.resize(wide_px, scale.heightForWidth(wide_px))
+    rooms, metrics = scale.label_rooms(wide_px), scale.fontMetrics()
+    assert 0 <= rooms[0].left_px < rooms[-1].right_px <= wide_px
+    assert all(one.right_px < other.left_px for one, other in pairwise(rooms))
+    high_px = max(room.high_px(metrics) for room in rooms)
+    assert scale.height() >= high_px + LEAST_PX > 2 * metrics.height() + LEAST_PX
+    scale.show()
+    below = scale.grab().toImage().copy(0, scale.height() - 2, wide_px, 2)
+    assert len({below.pixel(x, 1) for x in range(wide_px)}) == 1  # nothing is cut
 
 
 def test_digits_turn_several_answers_on_and_off(page):

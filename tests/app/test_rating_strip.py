@@ -1,5 +1,6 @@
 """Ratings while a clip plays: by mouse, wheel, keys and axes, never over the clip."""
 
+from itertools import pairwise
 from types import SimpleNamespace
 
 import pytest
@@ -12,6 +13,7 @@ from sitting import Person
 from app.experimenter.spoken_number import SpokenNumber
 from app.participant.rating_axes import RatingAxes
 from app.participant.rating_strip import RatingStrip
+from app.participant.visual_scale import LabelRoom
 from app.widgets.layout import column_of
 from hapticplayer.structures import convert
 from hapticplayer.study.definition import LiveRating
@@ -184,3 +186,19 @@ def test_the_next_clip_waits_for_the_gap(make_study, sit, wait_for):
     wait_for(start.isEnabled)
     person.key(Qt.Key.Key_Enter)
     person.wait_page(PageKind.PLAYING)
+
+
+def test_long_texts_of_a_rating_are_whole(rated):
+    words = {"en": "how badly what you feel fits what you see, and all of it " * 4}
+    labels = [{"at": at, "text": words} for at in (-50, 0, 50)]
+    watching, window = rated({**SLIDER, "text": words, "labels": labels}, VECTION)
+    strip, (slider, _) = window.strip, watching.ratings
+    metrics = strip.fontMetrics()
+    rooms = strip.label_rooms(slider)
+    assert all(one.right_px < other.left_px for one, other in pairwise(rooms))
+    labels_px = max(room.high_px(metrics) for room in rooms)
+    edges = rooms[0].left_px, rooms[-1].right_px
+    text_px = LabelRoom(words["en"], *edges).high_px(metrics)
+    assert min(labels_px, text_px) > 2 * metrics.height()
+    assert strip.height() > labels_px + text_px
+    assert window.clip.height() + strip.height() <= window.height()

@@ -134,9 +134,10 @@ class MergePage(JobDialog):
             if folder not in known:
                 known.add(folder)
                 self.copies.append(Copy(folder, site))
-        self._show_copies(len(self.copies) - 1)
+        self.show_copies(len(self.copies) - 1)
 
-    def _show_copies(self, chosen: int) -> None:
+    def show_copies(self, chosen: int) -> None:
+        """List the copies, and select one."""
         self.table.setRowCount(len(self.copies))
         for row, copy in enumerate(self.copies):
             for column, text in enumerate((copy.site, str(copy.folder), "")):
@@ -195,7 +196,7 @@ class MergePage(JobDialog):
     def _remove(self) -> None:
         row = self.table.currentRow()
         del self.copies[row]
-        self._show_copies(min(row, len(self.copies) - 1))
+        self.show_copies(min(row, len(self.copies) - 1))
 
     def merge(self) -> None:
         """Add the sessions of all copies."""
@@ -212,7 +213,7 @@ class MergePage(JobDialog):
         for copy, one in zip(self.copies, found, strict=True):
             copy.found = one
         spoilt = (row for row, one in enumerate(found) if one.conflicts)
-        self._show_copies(next(spoilt, self.table.currentRow()))
+        self.show_copies(next(spoilt, self.table.currentRow()))
         left = sum(len(one.conflicts) for one in found)
         text = self.tr(
             "Sessions added: {added}; here already: {same}; left out: {left}."
