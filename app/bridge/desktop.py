@@ -60,8 +60,9 @@ class Mpris:
         raise_window: Callable[[], object],
         close: Callable[[], object],
         address: str = "",
+        called: Callable[[], object] = lambda: None,
     ) -> None:
-        self._player = player
+        self._player, self._called = player, called
         self._address = address
         self._bus: DBusConnection | None = None
         self._sent: dict[str, Any] = {}
@@ -178,6 +179,7 @@ class Mpris:
     # --- what others call ------------------------------------------------------
 
     def _on_call(self, call: Message) -> None:
+        self._called()
         fields = call.header.fields
         name = fields.get(HeaderFields.member)
         interface = fields.get(HeaderFields.interface)
@@ -261,11 +263,13 @@ def _root_properties() -> dict[str, _Property]:
 class Desktop(QObject):
     """Follows the player; the window calls it when something has changed."""
 
-    def __init__(self, player: Player, window: QMainWindow) -> None:
+    def __init__(
+        self, player: Player, window: QMainWindow, called: Callable[[], object]
+    ) -> None:
         super().__init__(window)
         self._player = player
         self.idle = IdleInhibitor()
-        self.mpris = Mpris(player, window.raise_, window.close)
+        self.mpris = Mpris(player, window.raise_, window.close, called=called)
 
     def follow(self) -> None:
         """Inhibit idling while it plays, and publish the state."""

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from hapticplayer.clock import Clock
 
@@ -43,8 +43,8 @@ GAP_S = 0.008
 LONGEST_WITHOUT_GAP_S = 0.1
 REST_AFTER_S = 30.0
 """Without anything due and without a person: as the haptic loop's own rest."""
-REST_MS, REST_GAP_S = 100, 0.5
-"""At rest. Heartbeats are due every 150 ms, also then; what is shown stands still."""
+REST_MS, REST_GAP_S = 400, 0.8
+"""At rest, when the loop expects no heartbeat, and what is shown stands still."""
 
 
 class Pump(QObject):
@@ -54,7 +54,12 @@ class Pump(QObject):
     an error reaches sys.excepthook, the next call comes all the same. `gap` is called
     after `poll` when nothing is due for a while: the time to draw everything but the
     video. One that `rests` calls less often while nothing happens, until `wake`.
+
+    Signals:
+        rested: whether it rests from now on.
     """
+
+    rested = Signal(bool)
 
     def __init__(
         self,
@@ -91,7 +96,7 @@ class Pump(QObject):
         """A person is here, or something happens."""
         self._active_s = self._clock.now_s()
         if self.is_resting and self._is_running:
-            self.is_resting = False
+            self._set_resting(is_resting=False)
             self.timer.start(0)
 
     def beat(self) -> None:
@@ -115,7 +120,12 @@ class Pump(QObject):
         ):  # a frame, or one that is awaited
             self._active_s = begin_s
         is_quiet = begin_s - self._active_s > REST_AFTER_S
-        self.is_resting = self._rests and is_quiet
+        self._set_resting(is_resting=self._rests and is_quiet)
+
+    def _set_resting(self, *, is_resting: bool) -> None:
+        if is_resting is not self.is_resting:
+            self.is_resting = is_resting
+            self.rested.emit(is_resting)
 
     def _fill_gap(self, next_s: float) -> None:
         now_s = self._clock.now_s()

@@ -107,13 +107,14 @@ class PlayerWindow(QMainWindow):
             self.fullscreen,
         )
         self.viewing = Viewing(self.session, surface, self.commands, settings)
-        self.desktop = Desktop(player, self)
+        self.pump = Pump(player.poll, clock, self._on_gap, self, rests=True)
+        self.pump.rested.connect(lambda is_on: player.rest(is_wanted=is_on))
+        self.desktop = Desktop(player, self, self.pump.wake)
         self.study_menu.running.connect(
             lambda is_on: self.desktop.set_study_mode(is_on=is_on)
         )
         self.study_menu.running.connect(self._on_study)
         self.themes = ThemeMenus(self.commands, settings)
-        self.pump = Pump(player.poll, clock, self._on_gap, self, rests=True)
         self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
         self._escape = EscapeFilter(self.stop, self, self.pump.wake)
         self._connect()
@@ -175,6 +176,7 @@ class PlayerWindow(QMainWindow):
     def _connect(self) -> None:
         session, transport, page = self.session, self.transport, self.empty_page
         session.opening.connect(self._on_opening)
+        session.chosen.connect(lambda _source: self.pump.wake())
         session.opened.connect(self._on_opened)
         session.changed.connect(self._on_changed)
         session.another_video.connect(self._on_another_video)

@@ -121,11 +121,13 @@ class Trail:
         self.last_tick_s = float("-inf")
 
     def add(self, ticks: NDArray[Any]) -> bool:
-        """Append records of TICK that are newer; return whether there are any."""
+        """Append records of TICK that are newer; return whether there is more to see."""
         ticks = ticks[ticks["monotonic_s"] > self.last_tick_s]
         if not len(ticks):
             return False
         self.last_tick_s = float(ticks["monotonic_s"][-1])
+        if len(self._head.time_s) and self._stands(ticks):
+            return False
         time_s = np.append(self._rows.time_s, ticks["media_s"])
         values = np.append(self._rows.values, ticks["force_n"], axis=0)
         known = len(self._rows.time_s)
@@ -140,6 +142,11 @@ class Trail:
         self._rows = Page(time_s[rows], values[rows])
         self._head = Page(time_s[-1:], values[-1:])
         return True
+
+    def _stands(self, ticks: NDArray[Any]) -> bool:
+        """Whether all of these are as the newest one."""
+        head, is_there = self._head, ticks["media_s"] == self._head.time_s
+        return bool(is_there.all() and (ticks["force_n"] == head.values).all())
 
     def page(self) -> Page:
         """Return the points, the newest tick last."""

@@ -17,6 +17,8 @@ from hapticplayer.model.device import MOST_CHANNELS, ChannelLevel
 from hapticplayer.model.timing import PlaybackClock
 
 RING_TICKS = 1 << 15  # 32 s: a reader may sleep that long without losing a tick
+RESTING = -1.0
+"""In place of the time of the loop's last exchange: no force until the guard has beaten."""
 SENT, REFUSED = 1, 2
 """Bits of `buttons` where motion is sent: a packet belongs to the tick; nobody listens."""
 TICK_FIELDS = struct.Struct("<dd18fIBBH")
@@ -83,7 +85,7 @@ class LoopBlock:
         return self._guard[0]
 
     def last_tick_s(self) -> float:
-        """Return the time of the loop's last exchange; 0 before the first."""
+        """Return the time of the loop's last exchange; 0 before the first, or RESTING."""
         return self._last_tick[0]
 
     def last_tick(self) -> tuple[Any, ...] | None:
@@ -95,7 +97,7 @@ class LoopBlock:
         return TICK_FIELDS.unpack_from(self._map, at)
 
     def beat_loop(self, now_s: float) -> None:
-        """Report that a program without ticks is alive; 0: it holds no force (loop)."""
+        """Report that a program without ticks is alive; 0 or RESTING: no force (loop)."""
         self._last_tick[0] = now_s
 
     def write_levels(self, levels: Iterable[ChannelLevel]) -> None:

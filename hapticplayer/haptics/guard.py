@@ -15,7 +15,7 @@ from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices import DeviceEntry, find_device
 from hapticplayer.errors import DeviceError
 from hapticplayer.extension import load
-from hapticplayer.haptics.block import LoopBlock
+from hapticplayer.haptics.block import RESTING, LoopBlock
 from hapticplayer.haptics.contract import GAP_RAMP_S
 from hapticplayer.haptics.lifeline import Lifeline, map_lifeline, outlive_the_player
 from hapticplayer.haptics.limiter import PERIOD_S
@@ -24,6 +24,8 @@ from hapticplayer.linux import GUARD_PRIORITY, acquire
 CHECK_PERIOD_S = 0.019
 REPEAT_PERIOD_S = 0.004
 """While the loop stalls, or without a lifeline that reports its end."""
+REST_PERIOD_S = 1.0
+"""At rest, which the loop ends before it gives a force."""
 FINAL_ZEROS = 5
 _JUST_AFTER_S = 0.0001
 
@@ -75,7 +77,7 @@ class Guard:
         now_s = self._clock.now_s()
         self._block.beat_guard(now_s)
         last_s = self._block.last_tick_s()
-        if self._watches_stalls and last_s and now_s - last_s > GAP_RAMP_S:
+        if self._watches_stalls and last_s > 0.0 and now_s - last_s > GAP_RAMP_S:
             self._send_zero()
 
     def send_final_zeros(self) -> None:
@@ -92,8 +94,8 @@ class Guard:
         stalls is checked as soon as it has done so for too long.
         """
         last_s, now_s = self._block.last_tick_s(), self._clock.now_s()
-        if not last_s:  # no force is held
-            return CHECK_PERIOD_S
+        if last_s <= 0.0:  # no force is held
+            return REST_PERIOD_S if last_s == RESTING else CHECK_PERIOD_S
         overdue_s = last_s + GAP_RAMP_S + _JUST_AFTER_S - now_s
         if overdue_s <= 0.0:
             return REPEAT_PERIOD_S

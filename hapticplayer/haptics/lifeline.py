@@ -25,7 +25,8 @@ _ROBUST, _SHARED = 1, 1  # PTHREAD_MUTEX_ROBUST, PTHREAD_PROCESS_SHARED
 _ATTRIBUTES_BYTES = 64  # more than any platform's pthread_mutexattr_t has
 _WAITED_FOR, _OWNER_DIED = 0x8000_0000, 0x4000_0000  # bits of the word, futex(2)
 _FUTEX = {"x86_64": 202, "aarch64": 98, "riscv64": 98}
-_WAIT = 0  # FUTEX_WAIT, between processes
+_WAIT, _WAKE = 0, 1  # FUTEX_WAIT and FUTEX_WAKE, between processes
+_ALL = 0x7FFF_FFFF
 _NO_END_OF_WAITING = (errno.ETIMEDOUT, errno.EAGAIN, errno.EINTR)
 _held: list[mmap.mmap] = []  # never unmapped: the kernel's list leads through it
 
@@ -42,15 +43,14 @@ class Lifeline:
         self._mark = memory[_MARK_AT:LIFELINE_BYTES].cast("I")
         self._futex = _FUTEX.get(os.uname().machine, 0)
         self._seen, self._timeout = ctypes.c_uint(), _Timespec()
-        self._sleep = partial(
+        call = partial(
             ctypes.CDLL(None, use_errno=True).syscall,
             ctypes.c_long(self._futex),
             ctypes.byref(ctypes.c_char.from_buffer(memory)),
-            ctypes.c_int(_WAIT),
-            self._seen,
-            ctypes.byref(self._timeout),
-            None,
         )
+        timeout = ctypes.byref(self._timeout)
+        self._sleep = partial(call, ctypes.c_int(_WAIT), self._seen, timeout, None)
+        self._wake = partial(call, ctypes.c_int(_WAKE), ctypes.c_int(_ALL))
 
     def is_cut(self) -> bool:
         """Whether the thread that held it has ended."""
@@ -60,8 +60,13 @@ class Lifeline:
         """Whether there is a holder whose end will wake a waiter."""
         return self._futex > 0 and self._mark[0] != 0
 
+    def end(self) -> None:
+        """End the waiting of those who watch; they find it as it is."""
+        if self.wakes():
+            self._wake()
+
     def wait(self, timeout_s: float) -> bool:
-        """Wait until it is cut; False after the timeout.
+        """Wait until it is cut; False after the timeout, or where that is ended.
 
         Only where it `wakes`; a system that refuses the call is not called again.
         """

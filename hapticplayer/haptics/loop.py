@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from hapticplayer.clock import WaitingClock
 from hapticplayer.devices import DelayedDevice, HapticDevice
 from hapticplayer.errors import DeviceError, message_of
-from hapticplayer.haptics.block import LoopBlock
+from hapticplayer.haptics.block import RESTING, LoopBlock
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.contract import (
     Cause,
@@ -27,7 +27,9 @@ from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector
 ZERO_TICKS_BEFORE_CLOSING = 5
 REST_AFTER_S = 30.0
 REST_PERIOD_S = 0.040
-"""Unplugging is noticed within one, buttons within two; what the player says at once."""
+"""Unplugging and buttons are noticed within one; what the player says at once."""
+REST_TICK_S = 0.2
+"""A tick at rest, where the device answers as before."""
 _RESTING = (Mode.IDLE, Mode.TRIPPED)
 
 
@@ -55,12 +57,14 @@ class Loop(TrackFollower):
         self._levels: tuple[ChannelLevel, ...] = ()
         self._notice = ""
         self._needed_s = self.clock.now_s()
+        self._woken_s = -math.inf
+        self._guard_sleep = Lifeline(self.block.lifeline)
 
     def run(self) -> None:
         """Tick until the player quits or is gone, then leave zero on the wire.
 
-        At 1 kHz; at 25 Hz when there was no force for 30 s and nothing plays, and when
-        the player says something.
+        At 1 kHz. When there was no force for 30 s and nothing plays, the device is looked
+        at with 25 Hz, and a tick comes where it or the player has something new.
         """
         gc.collect()
         gc.freeze()
@@ -72,6 +76,9 @@ class Loop(TrackFollower):
             if self.is_resting:
                 clock.wait(self.line.poll, deadline_s)
                 deadline_s = now_s = clock.now_s()
+                if self._is_as_before(now_s):
+                    deadline_s += REST_PERIOD_S
+                    continue
             else:
                 clock.sleep_until(deadline_s)
                 now_s = clock.now_s()
@@ -86,6 +93,20 @@ class Loop(TrackFollower):
             if self.state.force_n == ZERO and self.is_over and not is_owed:
                 last_ticks -= 1
 
+    def _is_as_before(self, now_s: float) -> bool:
+        """Whether a tick at rest would change nothing; asks the device, with zero force."""
+        seen, lifeline = self.reading, self.lifeline
+        is_due = now_s > self.state.now_s + REST_TICK_S - PERIOD_S
+        if is_due or seen is None or self._is_device_gone or self.line.poll.poll(0):
+            return False
+        if lifeline is not None and lifeline.is_cut():
+            return False
+        try:
+            self.reading = reading = self.device.exchange(ZERO, now_s)
+        except DeviceError:
+            return False  # the tick meets it, too
+        return reading._replace(replied_s=seen.replied_s) == seen
+
     def tick(self, now_s: float, late_s: float = 0.0, missed: int = 0) -> None:
         """Do one period: receive, decide, exchange, record."""
         self._receive()
@@ -93,6 +114,11 @@ class Loop(TrackFollower):
             self._check_track()
         clock_count, heartbeat_s, guard_s = self.block.signs()
         self._read_clock(clock_count)
+        if self.is_resting:  # no force can begin, so nobody has to watch
+            heartbeat_s = guard_s = now_s
+        elif guard_s < self._woken_s:
+            self._guard_sleep.end()
+            guard_s = -math.inf
         before = self.state
         self.state = state = step(
             Situation(
@@ -113,9 +139,12 @@ class Loop(TrackFollower):
         self.count += 1
         if self._is_needed or state.mode not in _RESTING or self.is_over:
             self._needed_s, self._is_needed = now_s, False
+        was_resting = self.is_resting
         self.is_resting = now_s - self._needed_s >= REST_AFTER_S
         if self.is_resting:
-            self.block.beat_loop(0.0)  # the guard has no force to watch over
+            self.block.beat_loop(RESTING)  # the guard has no force to watch over
+        elif was_resting:
+            self._woken_s = now_s
 
     def _note_mode(self, mode: Mode) -> None:
         if mode is Mode.TRIPPED and isinstance(self.device, DelayedDevice):

@@ -103,8 +103,14 @@ class Player:
         """Open the sound output already: a clip with sound is about to be opened."""
         self._clip.sound.prepare()
 
+    def rest(self, *, is_wanted: bool) -> None:
+        """Nobody is here and nothing plays, or somebody is back; playing ends it, too."""
+        if not (is_wanted and self._clip.is_playing):
+            self._clip.sound.rest(is_wanted=is_wanted)
+
     def play(self) -> None:
         """Play from here; from the beginning when the clip has ended."""
+        self._clip.sound.rest(is_wanted=False)
         if self._clip.handle(PhaseEvent.PLAY):
             self._reporter.event("play")
 

@@ -88,6 +88,13 @@ class Sound:
         """Open the output already, while something else is being done."""
         self._keeper.want(self._clock.now_s())
 
+    def rest(self, *, is_wanted: bool) -> None:
+        """Close the output, which plays silence while paused, or open it again."""
+        if self.feeder is not None and is_wanted:
+            self._keeper.close()
+        elif self.feeder is not None:
+            self.prepare()
+
     def open(self, clip: ClipInfo) -> None:
         """Take the sound of a clip; `go_to` begins to decode it."""
         self.forget()

@@ -79,7 +79,8 @@ def test_a_pump_rests_until_a_person_comes(qapp):
             pump.beat()
         return len(gaps) - before
 
-    pump = Pump(poll, clock, lambda: gaps.append(1), rests=True)
+    pump, told = Pump(poll, clock, lambda: gaps.append(1), rests=True), []
+    pump.rested.connect(told.append)
     beat(REST_AFTER_S - 1.0, 0.1)
     assert not pump.is_resting
     beat(2.0, 0.1)
@@ -91,6 +92,7 @@ def test_a_pump_rests_until_a_person_comes(qapp):
     due_s[0] = 0.02  # a clip plays
     beat(2.0 * REST_AFTER_S, 0.1)
     assert not pump.is_resting
+    assert told == [True, False]
 
 
 def test_the_gap_is_used_when_nothing_is_due_soon(qapp):

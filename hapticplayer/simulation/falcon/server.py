@@ -17,7 +17,8 @@ from hapticplayer.simulation.falcon.process import PlantRecorder
 from hapticplayer.simulation.falcon.simulation import Simulation
 
 COMMAND_AGE_S = 0.020
-_LONGEST_SLEEP_S = 0.020
+_RECORD_PERIOD_S = 0.020
+_LONGEST_SLEEP_S = 0.5
 
 
 class Server:
@@ -70,7 +71,8 @@ class Server:
 
     def _wait(self) -> None:
         now_s = self._clock.now_s()
-        wake_s = min(now_s + _LONGEST_SLEEP_S, self._simulation.next_change_s)
+        longest_s = _RECORD_PERIOD_S if self._recorder else _LONGEST_SLEEP_S
+        wake_s = min(now_s + longest_s, self._simulation.next_change_s)
         if self._deaf_until_s is not None:
             wake_s = min(wake_s, self._deaf_until_s)
         events = self._poll.poll(max(0.0, 1e3 * (wake_s - now_s)))

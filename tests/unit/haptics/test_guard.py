@@ -13,6 +13,7 @@ from itertools import pairwise
 import pytest
 
 from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.haptics.block import RESTING
 from hapticplayer.haptics.guard import (
     CHECK_PERIOD_S,
     FINAL_ZEROS,
@@ -220,6 +221,30 @@ def test_a_released_lifeline_leaves_it_to_the_pipe(holder):
     holder.child.wait()
     assert not holder.lifeline.is_cut()
     assert holder.process.has_ended(0.0)
+
+
+def test_a_loop_that_leaves_its_rest_wakes_the_guard(holder):
+    assert holder.listen() == "held"
+    found = []
+    guard = threading.Thread(
+        target=lambda: found.append(holder.lifeline.wait(600.0)), daemon=True
+    )
+    guard.start()
+    other = Lifeline(memoryview(holder.page)[:LIFELINE_BYTES])
+    while guard.is_alive():  # it may not sleep yet
+        other.end()
+        guard.join(0.001)
+    assert found == [False]
+
+
+def test_a_guard_sleeps_longer_while_the_loop_rests(bench):
+    bench.loop_ticks()
+    bench.block.beat_loop(RESTING)
+    ends_s = bench.clock.now_s() + 10.0
+    loop = Ticking(bench, bench.clock.now_s(), ends_s)
+    bench.guard.run(loop)
+    assert len(loop.checks) <= 11
+    assert len(bench.zeros) == FINAL_ZEROS
 
 
 def test_a_system_that_refuses_to_wait_is_asked_once(holder, monkeypatch):

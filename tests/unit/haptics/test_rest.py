@@ -29,7 +29,8 @@ class BeatingClock(ManualClock):
 
     def sleep_until(self, deadline_s):
         super().sleep_until(deadline_s)
-        self.rig.block.beat(self.now_s())
+        if not self.rig.loop.is_resting:  # then nobody has to
+            self.rig.block.beat(self.now_s())
         while self.acts and self.acts[0][0] <= self.now_s():
             self.acts.pop(0)[1]()
 
@@ -67,10 +68,26 @@ def run(rig, acts, until_s):
     return records, records["monotonic_s"] - start_s
 
 
-def test_a_loop_without_work_rests_at_25_hz(rig):
+def looked_at(rig, monkeypatch):
+    """The times at which the device is asked, from now on."""
+    times_s, exchange = [], rig.device.exchange
+
+    def noted(force_n, now_s):
+        times_s.append(now_s)
+        return exchange(force_n, now_s)
+
+    monkeypatch.setattr(rig.device, "exchange", noted)
+    return times_s
+
+
+def test_a_loop_without_work_rests_at_25_hz(rig, monkeypatch):
+    looks_s, start_s = looked_at(rig, monkeypatch), rig.clock.now_s()
     records, time_s = run(rig, [(0.0, lambda: publish(rig, 0.0))], 2.0)
+    looks_s = np.array(looks_s) - start_s
+    between = (looks_s > 0.1) & (looks_s < 1.99)
+    assert np.allclose(np.diff(looks_s[between]), 0.040, atol=1e-9)
     resting = (time_s > 0.1) & (time_s < 1.99)
-    assert np.allclose(np.diff(time_s[resting]), 0.040, atol=1e-9)
+    assert np.allclose(np.diff(time_s[resting]), loops.REST_TICK_S, atol=1e-9)
     assert np.allclose(np.diff(time_s[time_s < WAKES_AFTER_S]), PERIOD_S, atol=1e-9)
     assert set(records["cause"][resting]) == {Cause.PAUSED}  # no answer counts as late
     assert not records["missed"].any()
@@ -94,7 +111,7 @@ def test_the_loop_is_at_1_khz_again_before_the_first_force(rig):
         (
             lambda rig: setattr(rig.device.simulation, "buttons", 1),
             Cause.GRIP_BUTTON,
-            0.080,
+            0.040,
         ),
         (lambda rig: rig.device.unplug(), Cause.UNPLUGGED, 0.040),
     ],
@@ -118,8 +135,36 @@ def test_a_tripped_loop_rests_and_can_be_armed_again(rig):
     ]
     records, time_s = run(rig, acts, 3.0)
     resting = (time_s > 1.6) & (time_s < 1.99)
-    assert np.allclose(np.diff(time_s[resting]), 0.040, atol=1e-9)
+    assert np.allclose(np.diff(time_s[resting]), loops.REST_TICK_S, atol=1e-9)
     assert records["force_n"][time_s < 2.9][-1, 1] == pytest.approx(2.0)
+
+
+def test_a_grip_that_moves_at_rest_is_followed(rig):
+    def move():
+        rig.device.simulation.aim((0.01, 0.0, 0.0))
+
+    acts = [(0.0, lambda: publish(rig, 0.0)), (1.0, move)]
+    records, time_s = run(rig, acts, 2.0)
+    moving = (time_s > 1.05) & (time_s < 1.3)
+    assert np.allclose(np.diff(time_s[moving]), 0.040, atol=1e-9)
+    assert records["position_m"][time_s < 1.99][-1, 0] > 0.002
+
+
+def test_no_force_begins_before_the_guard_has_woken(rig):
+    asleep_s = rig.clock.now_s()
+    rig.block.beat_guard(asleep_s)
+    acts = [
+        (0.0, lambda: publish(rig, 0.0)),
+        (1.0, lambda: publish(rig, 1.0)),
+        (1.03, lambda: rig.block.beat_guard(math.inf)),
+    ]
+    records, time_s = run(rig, acts, 1.5)
+    first = int(np.argmax(records["mode"] == Mode.ENTERING))
+    assert 1.03 <= time_s[first] < 1.03 + 0.003
+    waiting = (time_s > 1.003) & (time_s < 1.03)
+    assert set(records["cause"][waiting]) == {Cause.GUARD_LOST}
+    resting = (time_s > 0.3) & (time_s < 0.99)
+    assert set(records["cause"][resting]) == {Cause.PAUSED}
 
 
 def test_the_guard_leaves_a_resting_loop_alone(rig):

@@ -75,6 +75,28 @@ def test_pause_stands_and_play_goes_on_from_there(theatre):
     assert gained == pytest.approx(0.5 - LATENCY_S, abs=0.02)
 
 
+@pytest.mark.parametrize("is_woken", [True, False])
+def test_sound_that_was_let_rest_goes_on_where_it_was(theatre, is_woken):
+    theatre.player.play()
+    theatre.run(1.0)
+    theatre.player.rest(is_wanted=True)  # it plays: nothing rests
+    assert theatre.player.snapshot().audio == "silent"
+    theatre.player.pause()
+    position_s = theatre.player.snapshot().media_s
+    theatre.player.rest(is_wanted=True)
+    theatre.out = None
+    theatre.run(1.0)
+    assert theatre.out is None
+    if is_woken:
+        theatre.player.rest(is_wanted=False)
+        theatre.run(0.1)
+    theatre.player.play()
+    theatre.run(0.5)
+    assert theatre.player.snapshot().clock == "audio"
+    gained_s = theatre.player.snapshot().media_s - position_s
+    assert gained_s == pytest.approx(0.5 - LATENCY_S, abs=0.02)
+
+
 def test_a_seek_shows_the_picture_that_covers_it(theatre):
     theatre.run(0.1)
     theatre.player.seek(1.53)
