@@ -46,7 +46,7 @@ def campaign(
         only: pattern of pytest's -k.
         workers: processes at once.
     """
-    words = ["-m", "campaign", "-o", "faulthandler_timeout=0", test]
+    words = ["-m", "campaign", test]
     words += ["-k", only] if only else []
     words += ["-n", str(workers)] if workers > 1 else []
     cases = [_case(one) for one in tested(words, {"CAMPAIGN_SHARE": str(share)})]
@@ -64,7 +64,8 @@ def tested(words: list[str], added: dict[str, str]) -> list[ET.Element]:
     with tempfile.TemporaryDirectory(prefix="hp-campaign-") as folder:
         path = Path(folder) / "found.xml"
         command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
-        command += ["-o", "junit_family=xunit1", f"--junitxml={path}", *words]
+        command += ["-o", "junit_family=xunit1", f"--junitxml={path}"]
+        command += ["-o", "faulthandler_timeout=0", *words]
         environment = {**os.environ, **added, "QT_QPA_PLATFORM": "offscreen"}
         done = subprocess.run(
             command, cwd=ROOT, env=environment, stdout=sys.stderr, check=False
