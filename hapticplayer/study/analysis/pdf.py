@@ -3,10 +3,10 @@
 import datetime as dt
 import io
 import logging
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import zip_longest
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from hapticplayer.study.analysis.blocks import (
     Heading,
@@ -28,6 +28,9 @@ _HEADING_MM = 12.0
 _SMALL = 0.8  # size of the font at which names are wrapped
 _LEAST_NAME = 0.25  # of the page, for the names of rows
 _MARK = (163, 32, 32)
+_SAME_MM = 1e-6
+_Column = tuple[float, str]
+"""Width in mm and alignment."""
 
 
 def write_pdf(
@@ -115,9 +118,11 @@ def _paragraph(pdf: "FPDF", text: str, size_pt: float, *, bold: bool = False) ->
 
 
 def _add_table(pdf: "FPDF", table: ReportTable) -> None:
-    """Write a table; if it is too wide, in a smaller font and with names wrapped."""
-    from fpdf.enums import TableBordersLayout
+    """Write a table; if it is too wide, in a smaller font and with names wrapped.
 
+    Only names are wrapped: the tables of fpdf wrap each cell, twice, which takes a tenth
+    of the whole analysis.
+    """
     _keep_together(pdf, _LEAST_ROOM_MM)
     _paragraph(pdf, table.title, _TEXT_PT, bold=True)
     pdf.set_font(_FONT, "B", _TABLE_PT)
@@ -130,20 +135,60 @@ def _add_table(pdf: "FPDF", table: ReportTable) -> None:
     widths[0] = min(widths[0], room)
     fitted = min(1.0, pdf.epw / sum(widths))
     size_pt = fitted * _TABLE_PT
-    pdf.set_font(_FONT, "", size_pt)
-    with pdf.table(
-        rows,
-        width=fitted * sum(widths),
-        col_widths=[fitted * width for width in widths],
-        align="LEFT",
-        text_align=tuple("LEFT" if one else "RIGHT" for one in table.words),
-        line_height=size_pt * _LINE,
-        padding=(0.0, fitted * _PADDING_MM),
-        borders_layout=TableBordersLayout.SINGLE_TOP_LINE,
-        markdown=False,
-    ):
-        pass
+    aligned = ["L" if one else "R" for one in table.words]
+    columns = list(zip([fitted * width for width in widths], aligned, strict=True))
+    margin, pdf.c_margin = pdf.c_margin, fitted * _PADDING_MM
+    _head(pdf, table.head, columns, size_pt)
+    for cells in table.rows:
+        lines = _lines(pdf, cells[0], columns[0][0])
+        if pdf.will_page_break(len(lines) * size_pt * _LINE):
+            pdf.add_page()
+            _head(pdf, table.head, columns, size_pt)
+        _row(pdf, lines, cells[1:], columns, size_pt)
+    pdf.c_margin = margin
     if table.note:
         pdf.ln(0.8)
         _paragraph(pdf, table.note, _TABLE_PT)
     pdf.ln(3.5)
+
+
+def _head(
+    pdf: "FPDF", names: Sequence[str], columns: Sequence[_Column], size_pt: float
+) -> None:
+    pdf.set_font(_FONT, "B", size_pt)
+    lines = _lines(pdf, names[0], columns[0][0])
+    _row(pdf, lines, names[1:], columns, size_pt)
+    width = sum(width for width, _ in columns)
+    pdf.line(pdf.l_margin, pdf.y, pdf.l_margin + width, pdf.y)
+    pdf.set_font(_FONT, "", size_pt)
+
+
+def _lines(pdf: "FPDF", name: str, width: float) -> list[str]:
+    """The lines of a name; a rounding error does not wrap it."""
+    if (
+        "\n" not in name
+        and pdf.get_string_width(name) <= width - 2.0 * pdf.c_margin + _SAME_MM
+    ):
+        return [name]
+    found = pdf.multi_cell(width, text=name, align="L", dry_run=True, output="LINES")
+    return [str(one) for one in cast(list[str], found)]
+
+
+def _row(
+    pdf: "FPDF",
+    names: Sequence[str],
+    cells: Sequence[str],
+    columns: Sequence[_Column],
+    size_pt: float,
+) -> None:
+    """Write a row whose first cell may have several lines; the others in the middle."""
+    top, left, line = pdf.y, pdf.l_margin, size_pt * _LINE
+    (first, aligned), *others = columns
+    for number, name in enumerate(names):
+        pdf.set_xy(left, top + number * line)
+        pdf.cell(first, line, name, align=aligned)
+    height = max(1, len(names)) * line
+    pdf.set_xy(left + first, top + (height - line) / 2.0)
+    for text, (width, aligned) in zip(cells, others, strict=True):
+        pdf.cell(width, line, text.replace("\n", " "), align=aligned)
+    pdf.set_xy(left, top + height)
