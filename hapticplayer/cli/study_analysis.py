@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from hapticplayer.cli.common import (
     add_number,
     say,
@@ -45,7 +47,7 @@ from hapticplayer.study.analysis.report import (
 )
 from hapticplayer.study.answers import collect_answers, read_answers
 from hapticplayer.study.creation import new_definition
-from hapticplayer.study.definition import StudyFeedback, TrialKind
+from hapticplayer.study.definition import Definition, StudyFeedback, TrialKind
 from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.study_folder import Study, open_study
 
@@ -114,6 +116,7 @@ def _add_simulate(actions: Any) -> None:
     add_number(action, "--participants", most, default=15, metavar="N")
     add_effect(action)
     add_like(action)
+    add_level(action)
 
 
 def add_effect(action: argparse.ArgumentParser) -> None:
@@ -144,6 +147,48 @@ def add_like(action: argparse.ArgumentParser) -> None:
         metavar="KEY=F",
         help="the paper's condition (none, random, realistic) that a feedback is rated "
         "like; an assumption",
+    )
+
+
+def add_level(action: argparse.ArgumentParser) -> None:
+    action.add_argument(
+        "--level",
+        action="append",
+        default=[],
+        metavar="LEVEL=SHARE",
+        help="share of the effect at a level of a factor of the sequences, such as third=0.5; "
+        "an assumption; may be repeated",
+    )
+
+
+def shares_of(given: Iterable[str]) -> dict[str, float]:
+    """The shares of the effect, by level."""
+    found = {}
+    for text in given:
+        level, _, share = text.partition("=")
+        try:
+            found[level] = float(share)
+        except ValueError:
+            raise UsageError(
+                "--level {text!r} has to be LEVEL=SHARE, such as third=0.5", text=text
+            ) from None
+    return found
+
+
+def levels_with(
+    definition: Definition, shares: Mapping[str, float]
+) -> tuple[tuple[str, float], ...]:
+    """Level and share of each sequence, of the factor that has those with a share."""
+    if not shares:
+        return ()
+    factors = definition.sequence_factors.values()
+    for levels in factors:
+        if shares.keys() <= set(levels):
+            return tuple((level, shares.get(level, 1.0)) for level in levels)
+    known = ", ".join(sorted({level for levels in factors for level in levels}))
+    raise UsageError(
+        "--level: the levels of one factor of the sequences are needed; there is {known}",
+        known=known or "none",
     )
 
 
@@ -207,17 +252,29 @@ def _simulated(
     if study.definition.trial is not TrialKind.RATING:
         raise UsageError("only rating studies can be simulated")
     like = rated_like(study.definition.chosen_feedbacks, options.like)
+    shares = shares_of(options.level)
     answers = simulated_answers(
         options.participants,
         options.effect,
         seed=options.seed,
         sequences=design.sequences,
         like=None if set(like) == set(paper.feedbacks) == set(like.values()) else like,
+        shares=[share for _, share in levels_with(study.definition, shares)],
     )
     origin = {"simulated": True, "effect": options.effect, "seed": options.seed}
+    origin |= {"shares": shares} if shares else {}
     drawn = random_questions(study.definition, paper.factors)
     origin |= {"rated_like": like, "at_random": drawn}
-    return like, origin, write_answers(study, answers, SystemClock(), origin=origin)
+    notices: list[str] = []
+    raters = None
+    if study.definition.while_watching:
+        from hapticplayer.simulation.ratings import Raters  # few studies have them
+
+        raters = Raters(study, like, np.random.default_rng(options.seed), notices)
+    made = write_answers(study, answers, SystemClock(), origin=origin, raters=raters)
+    for notice in notices:
+        say_aside(notice)
+    return like, origin, made
 
 
 def rated_like(

@@ -1,7 +1,7 @@
 """The action `study power`, and what power is of: a population and its tests."""
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,15 +12,19 @@ from hapticplayer.cli.common import refuse_idle, say, shown_progress
 from hapticplayer.cli.study_analysis import (
     add_effect,
     add_feedback,
+    add_level,
     add_like,
     as_json,
     new_action,
     rated_like,
     say_assumed,
+    shares_of,
 )
 from hapticplayer.errors import Progress, UsageError
 from hapticplayer.model.arrays import Floats
 from hapticplayer.simulation.participants import (
+    PopulationEffect,
+    at_sequences,
     draw_effect,
     drawn_measure,
     effect_named,
@@ -38,10 +42,12 @@ from hapticplayer.study.analysis.power import (
     Power,
     PowerGoal,
     draw_pilot,
+    draw_rows,
+    find_level_power,
     find_power,
     power_summary,
 )
-from hapticplayer.study.analysis.scores import sample_of, scores_of
+from hapticplayer.study.analysis.scores import Sample, sample_of, scores_of
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import chosen_text
 from hapticplayer.study.definition import QOE, StudyFeedback
@@ -62,6 +68,8 @@ class Population:
         draw: simulated scores, for the rank tests.
         answers: returns answers (P, S, F), for the mixed model.
         is_item: whether they are steps of a single question.
+        of_levels: levels, and draws of means at each (levels first), of factors in which
+            sequences differ.
     """
 
     text: str
@@ -70,6 +78,7 @@ class Population:
     draw: Draw
     answers: Callable[[], Floats]
     is_item: bool
+    of_levels: tuple[tuple[tuple[str, ...], Draw], ...] = ()
 
     def power(
         self, goal: PowerGoal, link: LinkFunction | None, progress: Progress
@@ -81,6 +90,11 @@ class Population:
         of = self.feedbacks, self.sequences
         return find_model_power(model, *of, goal, progress)
 
+    def level_powers(self, goal: PowerGoal, progress: Progress) -> Iterator[Power]:
+        """By rank tests, of each factor in which sequences differ."""
+        for levels, draw in self.of_levels:
+            yield find_level_power(draw, self.feedbacks, levels, goal, progress)
+
 
 def population_of_effect(
     name: str,
@@ -88,21 +102,47 @@ def population_of_effect(
     sequences: int,
     feedbacks: Sequence[StudyFeedback] = (),
     like: Sequence[str] = (),
+    levels: Sequence[tuple[str, float]] = (),
 ) -> Population:
-    """A population with a known effect; of the paper's feedbacks if none are named."""
+    """A population with a known effect; of the paper's feedbacks if none are named.
+
+    `levels` has the level of each sequence in a factor, and its share of the effect.
+    """
     effect = effect_named(name)
     if feedbacks:
         assumed = rated_like(feedbacks, like)
         effect = for_feedbacks(effect, assumed)
         say_assumed(assumed)
+    if levels:
+        effect = at_sequences(effect, [share for _, share in levels])
 
     def answers() -> Floats:
         shape, rng = (1, _FITTED, sequences), np.random.default_rng(_FITTED)
         return np.asarray(drawn_measure(effect, measure, shape, rng)[0])
 
     draw = draw_effect(effect, measure, sequences)
-    of = effect.feedbacks, sequences, draw, answers, measure != QOE
-    return Population(f"effect {effect.name}", *of)
+    names = [level for level, _ in levels]
+    of_levels = (_drawn_levels(effect, measure, names),) if levels else ()
+    of = effect.feedbacks, sequences, draw, answers, measure != QOE, of_levels
+    text = "".join(
+        f", {share:g} of it at {level}" for level, share in dict(levels).items()
+    )
+    return Population(f"effect {effect.name}{text}", *of)
+
+
+def _drawn_levels(
+    effect: PopulationEffect, measure: str, levels: Sequence[str]
+) -> tuple[tuple[str, ...], Draw]:
+    names = tuple(dict.fromkeys(levels))
+    at = [np.flatnonzero(np.array(levels) == name) for name in names]
+
+    def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
+        shape = studies, people, len(levels)
+        drawn = drawn_measure(effect, measure, shape, rng)
+        means = [drawn[:, :, of].mean(axis=2) for of in at]
+        return np.concatenate(means, axis=2)
+
+    return names, draw
 
 
 def population_of_pilot(pilot: Path, measure: str) -> Population:
@@ -123,7 +163,15 @@ def population_of_pilot(pilot: Path, measure: str) -> Population:
         draw_pilot(sample),
         lambda: sample.by_condition,
         sample.is_item,
+        tuple(_pilot_levels(sample, factor) for factor in sample.sequence_factors),
     )
+
+
+def _pilot_levels(sample: Sample, factor: str) -> tuple[tuple[str, ...], Draw]:
+    levels = sample.by_level(factor)
+    values = np.concatenate(list(levels.values()), axis=1)
+    values = values[~np.isnan(values).any(axis=1)]
+    return tuple(levels), draw_rows(values)
 
 
 def add_actions(actions: Any) -> None:
@@ -140,6 +188,7 @@ def add_actions(actions: Any) -> None:
     add_effect(action)
     add_feedback(action, "of the design (default: none, random, realistic)")
     add_like(action)
+    add_level(action)
     action.add_argument("--sequences", type=int, default=4, metavar="N")
     add_goal(action)
 
@@ -179,18 +228,23 @@ def power(options: argparse.Namespace) -> int:
     """Tell how many participants a design needs."""
     goal, link = goal_of(options)
     population = _population(options)
+    if link is not None:
+        refuse_idle(options, "with --model", "--level")
     with shown_progress() as progress:
         found = population.power(goal, link, progress)
+        of_levels = () if link else tuple(population.level_powers(goal, progress))
     source = population.text
     report = {"population": source, "measure": options.measure, **power_summary(found)}
-    text = _power_text(found, options.measure, source)
-    say(as_json(report) if options.json else text)
+    if of_levels:
+        report["levels"] = [power_summary(one) for one in of_levels]
+    texts = [_power_text(one, options.measure, source) for one in (found, *of_levels)]
+    say(as_json(report) if options.json else "\n".join(texts))
     return 0
 
 
 def _population(options: argparse.Namespace) -> Population:
     if options.study is not None:
-        for_a_plan = ("--sequences", "--effect", "--feedback", "--like")
+        for_a_plan = ("--sequences", "--effect", "--feedback", "--like", "--level")
         refuse_idle(options, f"with the answers of {options.study.name}", *for_a_plan)
         return population_of_pilot(options.study, options.measure)
     if not 1 <= options.sequences <= _MOST_SEQUENCES:
@@ -199,7 +253,22 @@ def _population(options: argparse.Namespace) -> Population:
         refuse_idle(options, "without --feedback", "--like")
     feedbacks = [chosen_text(text) for text in options.feedback]
     of = options.effect, options.measure, options.sequences
-    return population_of_effect(*of, feedbacks, options.like)
+    levels = _levels(shares_of(options.level), options.sequences)
+    return population_of_effect(*of, feedbacks, options.like, levels)
+
+
+def _levels(shares: dict[str, float], sequences: int) -> tuple[tuple[str, float], ...]:
+    """Level and share of each sequence, equally many for each level."""
+    names = tuple(shares.items())
+    if not names:
+        return ()
+    if len(names) < 2 or sequences % len(names):
+        raise UsageError(
+            "--level: name all levels, such as first=1 and third=0.5; {sequences} sequences "
+            "have to be a multiple of their number",
+            sequences=sequences,
+        )
+    return names * (sequences // len(names))
 
 
 def _power_text(found: Power, measure: str, source: str) -> str:
@@ -211,7 +280,8 @@ def _power_text(found: Power, measure: str, source: str) -> str:
             f"within {2.0 * found.standard_error:.3f})"
         )
     ]
+    width = max(20, *(2 + len(name) for name in found.needed))
     for name, needed in found.needed.items():
         text = f"{needed}" if needed is not None else f"more than {goal.largest}"
-        lines.append(f"  {name:<20}{text}")
+        lines.append(f"  {name:<{width}}{text}")
     return "\n".join([*lines, f"tests: {found.tests}"])

@@ -11,11 +11,14 @@ from hapticplayer import storage
 from hapticplayer.cli.common import say, shown_progress
 from hapticplayer.cli.study_analysis import (
     add_effect,
+    add_level,
     add_like,
     add_options_of_analysis,
     as_json,
+    levels_with,
     new_action,
     options_of_analysis,
+    shares_of,
 )
 from hapticplayer.cli.study_power import (
     Population,
@@ -91,6 +94,7 @@ def add_actions(actions: Any) -> None:
     )
     add_effect(action)
     add_like(action)
+    add_level(action)
     add_goal(action)
     add_options_of_analysis(action)
 
@@ -111,11 +115,13 @@ def preregister(options: argparse.Namespace) -> int:
     rated = RatedAnswers(definition)
     live = compared_keys(definition)
     measures = (*((QOE,) if rated.qoe else ()), *rated.ranges, *live)
-    check_hypotheses(options.hypothesis, measures, definition.feedback_keys)
+    check_hypotheses(options.hypothesis, measures, definition)
     participants, power = _planned(study, options, measures)
     rules = options.stop_rule, options.exclude
     intended = Intentions(options.hypothesis, participants, power, *rules)
-    plan = write_plan(study, intended, planned_analysis(options_of_analysis(options)))
+    has_factors = bool(definition.sequence_factors)
+    analysis = planned_analysis(options_of_analysis(options), has_factors=has_factors)
+    plan = write_plan(study, intended, analysis)
     blocks = tuple(plan_document(plan, definition))
     target = (study.folder / PLAN_FILE).with_suffix
     html = page(definition.title, "", blocks, {})
@@ -147,6 +153,7 @@ def _planned(
         goal = replace(goal, largest=options.participants)
     with shown_progress() as progress:
         found: Power = population.power(goal, link, progress)
+        of_levels = () if link else tuple(population.level_powers(goal, progress))
     needed = options.participants or found.needed["all pairs"]
     if needed is None:
         raise UsageError(
@@ -155,8 +162,9 @@ def _planned(
             largest=goal.largest,
             power=f"{goal.power:g}",
         )
-    of = population.text, options.measure, power_summary(found)
-    return needed, planned_power(*of, needed)
+    of = population.text, options.measure
+    summaries = [power_summary(one) for one in (found, *of_levels)]
+    return needed, planned_power(*of, summaries, needed)
 
 
 def _population(
@@ -175,4 +183,5 @@ def _population(
     definition = study.definition
     of = options.effect, options.measure, len(definition.sequences)
     feedbacks = sorted(definition.chosen_feedbacks, key=lambda one: shown_at(one.name))
-    return population_of_effect(*of, feedbacks, options.like)
+    levels = levels_with(definition, shares_of(options.level))
+    return population_of_effect(*of, feedbacks, options.like, levels)

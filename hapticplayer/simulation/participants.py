@@ -15,7 +15,7 @@ sensory, comfort and satisfaction (printed: 24.71, 24.03, 26.68, 8.79, 23.05).
 """
 
 import functools
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -43,7 +43,8 @@ _MOST = 3.0
 class PopulationEffect:
     """What a population says of each of F feedbacks in K factors.
 
-    `rows` are the paper's conditions that they are rated like.
+    `rows` are the paper's conditions that they are rated like, `of_sequences` the names of
+    the effects at each sequence where they differ.
     """
 
     name: str
@@ -52,6 +53,7 @@ class PopulationEffect:
     factor_means: Floats  # (F, K)
     qoe_sds: Floats  # (F,), over participants, of their mean over the sequences
     rows: tuple[int, ...] = (0, 1, 2)
+    of_sequences: tuple[str, ...] = ()
 
 
 def paper_effect() -> PopulationEffect:
@@ -134,19 +136,34 @@ def for_feedbacks(
     )
 
 
+def at_sequences(effect: PopulationEffect, shares: Sequence[float]) -> PopulationEffect:
+    """The effect with a share of it at each sequence.
+
+    Nobody has measured them: this is an assumption, as of `for_feedbacks`.
+    """
+    whole = {"paper": 1.0, "none": 0.0}.get(effect.name)
+    whole = float(effect.name) if whole is None else whole
+    names = [effect.name if one == 1.0 else f"{whole * one:g}" for one in shares]
+    for name in names:
+        effect_named(name)
+    return replace(effect, of_sequences=tuple(names))
+
+
 def drawn_ratings(
     effect: PopulationEffect, shape: tuple[int, int, int], rng: np.random.Generator
 ) -> Floats:
     """Return ratings (studies, participants, sequences, F, K); `shape` holds three."""
     studies, people, sequences = shape
-    means, sds = (values[list(effect.rows)] for values in _latent(effect.name))
+    latent = [_latent(name) for name in effect.of_sequences or (effect.name,)]
+    means = np.stack([one[list(effect.rows)] for one, _ in latent])  # (S or 1, F, K)
+    sds = np.stack([one[list(effect.rows)] for _, one in latent])
     feedbacks, factors = effect.factor_means.shape
     common = rng.standard_normal((studies, people, 1))
     own = rng.standard_normal((studies, people, feedbacks))
     person = np.sqrt(COMMON) * common + np.sqrt(1.0 - COMMON) * own
     scatter = rng.standard_normal((studies, people, sequences, feedbacks, factors))
     scatter *= SCATTER
-    scatter += (sds * person)[:, :, None, :, None] + means
+    scatter += (sds * person[:, :, None])[..., None] + means
     return np.asarray(np.clip(np.rint(scatter, out=scatter), *SCALE, out=scatter))
 
 
@@ -254,6 +271,7 @@ def simulated_answers(
     seed: int,
     sequences: tuple[str, ...] = SEQUENCES,
     like: Mapping[str, str] | None = None,
+    shares: Sequence[float] = (),
 ) -> Answers:
     """Return the answers of simulated participants.
 
@@ -263,15 +281,18 @@ def simulated_answers(
     moved by one until means and SDs fit, and the one that is then nearest to the W is
     kept. Any other effect (see `effect_named`) is one draw from its population,
     whose sample scatters as samples do, and so is one with other feedbacks, `like`
-    (see `for_feedbacks`). The same seed gives the same answers.
+    (see `for_feedbacks`), or `shares` of the effect (see `at_sequences`). The same seed
+    gives the same answers.
     """
     SIMULATED_PARTICIPANTS.parse("participants", str(participants))
     population = effect_named(effect)
     if like is not None:
         population = for_feedbacks(population, like)
+    if shares:
+        population = at_sequences(population, shares)
     rng = np.random.default_rng([seed, participants])
     shape = (participants, len(sequences))
-    if effect == "paper" and like is None:
+    if effect == "paper" and like is None and not shares:
         drawn = drawn_ratings(population, (_draws(shape, population), *shape), rng)
         order = np.argsort(_distance(drawn, population.qoe_sds))[:_MATCHED]
         matched = np.stack([_matched(drawn[i], population, rng) for i in order])

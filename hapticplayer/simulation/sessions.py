@@ -4,7 +4,7 @@ import shutil
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,6 +27,9 @@ from hapticplayer.study.session_folder import ANSWERS
 from hapticplayer.study.steps import BEFORE, AnsweredTrial, trial_step
 from hapticplayer.study.study_folder import Study, begin_session
 
+if TYPE_CHECKING:
+    from hapticplayer.simulation.ratings import Raters
+
 Values = Mapping[str, Any]
 
 
@@ -37,13 +40,15 @@ def write_scripted_session(
     clock: Clock,
     *,
     origin: Mapping[str, Any],
+    watch: Callable[[Path, int, Condition], tuple[str, ...]] | None = None,
 ) -> str:
     """Write a whole session as if a participant had taken part, and return its code.
 
     `sheet` answers questions of the pages before and after the clips, `rate` a
     condition's questions, or those to the two that a trial plays; None leaves the trial
     out, as if it had been skipped. `origin`
-    says why there was no participant, such as `{"simulated": true, "seed": 1}`.
+    says why there was no participant, such as `{"simulated": true, "seed": 1}`. `watch`
+    writes what is rated while a clip plays, and says why the trial is not valid.
     """
     definition = study.definition
     session = begin_session(study, definition.languages[0], {}, clock)
@@ -71,11 +76,15 @@ def write_scripted_session(
             coming["condition"] = describe(condition)
             for page in definition.pages_at(When.BEFORE_CLIP):
                 answer(page, values or {}, BEFORE, **coming)
-            of = _write_trial(journal, number + 1, condition, values, played)
+            reasons: tuple[str, ...] = ()
+            if watch is not None and values is not None:
+                journal.append("trial-begin", **coming)
+                reasons = watch(session.folder, number + 1, condition)
+            of = _write_trial(journal, number + 1, condition, values, played, reasons)
             for page in definition.pages_at(When.AFTER_CLIP):
                 answer(page, values or {}, **of)
             made = AnsweredTrial(
-                *(number + 1, 1, condition, values or {}, True, (), {}),
+                *(number + 1, 1, condition, values or {}, not reasons, reasons, {}),
                 presented=tuple(one.level for one in played) * (len(played) > 1),
             )
             answered.append(made)
@@ -99,11 +108,17 @@ def _removed_on_failure(written: Sequence[Path]) -> Iterator[None]:
 
 
 def write_answers(
-    study: Study, answers: Answers, clock: Clock, *, origin: Mapping[str, Any]
+    study: Study,
+    answers: Answers,
+    clock: Clock,
+    *,
+    origin: Mapping[str, Any],
+    raters: "Raters | None" = None,
 ) -> list[str]:
     """Add simulated participants to a study, all or none, and return their codes.
 
-    Questions that the answers do not have are answered at random.
+    Questions that the answers do not have are answered at random; `raters` rate while clips
+    play.
     """
     found: dict[tuple[str, str, str], dict[str, float | None]] = {}
     for one in answers.ratings:
@@ -125,7 +140,10 @@ def write_answers(
                 cell = found.get((code, condition.sequence, condition.feedback), {})
                 return _completed(study, cell, OF_TRIALS, rng)
 
-            made = write_scripted_session(study, sheet, rate, clock, origin=origin)
+            watch = raters.person(clock.now_s()).watch if raters else None
+            made = write_scripted_session(
+                study, sheet, rate, clock, origin=origin, watch=watch
+            )
             written.append(study.session_folder(made))
     return [folder.name for folder in written]
 
@@ -166,6 +184,7 @@ def _write_trial(
     condition: Condition,
     values: Values | None,
     played: tuple[Condition, ...],
+    reasons: tuple[str, ...],
 ) -> dict[str, Any]:
     """Write a trial, and return what its answers belong to."""
     step, described = trial_step(position), describe(condition)
@@ -177,8 +196,8 @@ def _write_trial(
         step=step,
         attempt=1,
         condition=described,
-        is_valid=True,
-        reasons=[],
+        is_valid=not reasons,
+        reasons=list(reasons),
         playback={},
         **({"presented": [describe(p.level) for p in played]} if played[1:] else {}),
     )

@@ -191,6 +191,7 @@ class Answers:
         registered: the plan that was written before, and what differs from it.
         trial, standard, staircase: of the definition.
         courses: ratings over the time of the clips; read where forces are.
+        sequence_factors: the level of each of `sequences`, by factor.
     """
 
     participants: tuple[Participant, ...]
@@ -213,6 +214,7 @@ class Answers:
     standard: FeedbackLevel | None = None
     staircase: Staircase | None = None
     courses: tuple[Course, ...] = ()
+    sequence_factors: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def simulated_mark(participants: Sequence[Participant]) -> str:
@@ -280,6 +282,7 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         trial=definition.trial,
         standard=definition.standard,
         staircase=definition.staircase,
+        sequence_factors=definition.sequence_factors,
     )
 
 

@@ -53,6 +53,7 @@ class Conduct:
         followed: smallest and largest count of a condition after another one.
         playbacks: of all trials with answers.
         feedbacks: what each is, by key.
+        mean_positions: of the trials with each level of the sequences' factors.
     """
 
     title: str = ""
@@ -66,6 +67,7 @@ class Conduct:
     followed: tuple[int, int] = (0, 0)
     playbacks: tuple[AnsweredPlayback, ...] = ()
     feedbacks: Mapping[str, str] = field(default_factory=dict)
+    mean_positions: Mapping[str, float] = field(default_factory=dict)
 
 
 def conduct_of(
@@ -109,4 +111,18 @@ def conduct_of(
             for trial in answered_trials(one.records)
         ),
         feedbacks={one.name: one.text for one in definition.chosen_feedbacks},
+        mean_positions=_mean_positions(definition, sessions),
     )
+
+
+def _mean_positions(
+    definition: Definition, sessions: Iterable[StoredSession]
+) -> dict[str, float]:
+    """The mean place in the orders of each level of the sequences' factors."""
+    found: dict[str, list[int]] = {}
+    levels = {one.key: one.factors.values() for one in definition.sequences}
+    for session in sessions if definition.sequence_factors else ():
+        for position, condition in enumerate(session.plan.order, 1):
+            for level in levels.get(condition.sequence, ()):
+                found.setdefault(level, []).append(position)
+    return {level: sum(each) / len(each) for level, each in found.items()}

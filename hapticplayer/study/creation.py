@@ -102,6 +102,14 @@ STUDY_TEMPLATES = (
             "force beside a weaker and a late one and none."
         ),
     ),
+    StudyTemplate(
+        "viewpoint",
+        Message("Third person against first"),
+        Message(
+            "The same questions about rides that were filmed by the rider and from "
+            "outside; whether the force adds as much to both."
+        ),
+    ),
 )
 
 

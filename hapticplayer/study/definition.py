@@ -121,11 +121,13 @@ class StudySequence(JsonObject, frozen=True):
         key: in data and figures.
         title: for the operator and figures; never shown to participants.
         folder: relative to the study's folder, or absolute; empty if not set yet.
+        factors: its level of each factor in which sequences differ, such as viewpoint.
     """
 
     key: Key
     title: Text
     folder: Annotated[str, Meta(max_length=MAX_TEXT)]
+    factors: dict[Key, Key] = {}
 
 
 class AnswerOption(JsonObject, frozen=True):
@@ -492,6 +494,21 @@ class Definition(JsonObject, frozen=True):
     @property
     def feedback_keys(self) -> tuple[str, ...]:
         return tuple(one.name for one in self.chosen_feedbacks)
+
+    @property
+    def sequence_factors(self) -> dict[str, tuple[str, ...]]:
+        """The level of each sequence, by factor."""
+        names = dict.fromkeys(name for one in self.sequences for name in one.factors)
+        return {
+            name: tuple(one.factors.get(name, "") for one in self.sequences)
+            for name in names
+        }
+
+    def levels_of(self, sequence: str) -> tuple[str, ...]:
+        """The levels of a sequence, in the order of `sequence_factors`."""
+        of = (one.factors for one in self.sequences if one.key == sequence)
+        levels = next(of, {})
+        return tuple(levels.get(name, "") for name in self.sequence_factors)
 
     @property
     def conditions(self) -> tuple[Condition, ...]:

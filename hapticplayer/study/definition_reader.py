@@ -88,6 +88,8 @@ def _texts(part: Any, field: str = "") -> Iterator[tuple[str, Text]]:
             yield from _texts(one, f"{field}[{number}]")
     elif isinstance(part, Struct) and not isinstance(part, StudyFeedback):
         for name in part.__struct_fields__:
+            if name == "factors":
+                continue
             place = f"{field}.{name}" if field else name
             yield from _texts(getattr(part, name), place)
 
@@ -193,6 +195,10 @@ def _question_faults(made: Definition) -> Iterator[Fault]:
             yield f"{field}.{name}", what, remedy
         yield from _unused_in(field, when, asked)
     yield from _faults_of_scores(made)
+    if made.sequence_factors:
+        from hapticplayer.study import sequence_factors  # few studies have them
+
+        yield from sequence_factors.faults(made)
     if made.while_watching:
         from hapticplayer.study import rating_rules  # few studies have them
 

@@ -25,7 +25,7 @@ from hapticplayer.study.session_folder import SessionState, StoredSession, sha25
 from hapticplayer.study.study_folder import Study
 
 PLAN_FILE = "preregistration.json"
-_TESTABLE = re.compile(r"(\S+): (\S+) ([<>]) (\S+)")
+_TESTABLE = re.compile(r"(\S+): (?:(\S+) less (\S+): )?(\S+) ([<>]) (\S+)")
 _MOST_SHOWN, _MOST_TEXT = 20, 60
 
 
@@ -130,34 +130,51 @@ class Registered(NamedTuple):
 
 
 class ExpectedOrder(NamedTuple):
-    """A hypothesis that can be tested: one feedback has higher values than another."""
+    """A hypothesis that can be tested: one feedback or level has higher values than another.
+
+    `difference` is of two feedbacks, first less second, that is higher at one level.
+    """
 
     measure: str
     higher: str
     lower: str
+    difference: tuple[str, str] | None = None
 
 
 def hypothesis_of(text: str) -> ExpectedOrder | None:
-    """What a text such as "qoe: realistic > none" claims; None for other words."""
+    """What a text such as "qoe: realistic > none" claims; None for other words.
+
+    With factors of the sequences also "qoe: first > third", and "qoe: realistic less none:
+    first > third".
+    """
     found = _TESTABLE.fullmatch(text.strip())
     if found is None:
         return None
-    measure, first, sign, second = found.groups()
+    measure, more, less, first, sign, second = found.groups()
     pair = (first, second) if sign == ">" else (second, first)
-    return ExpectedOrder(measure, *pair)
+    return ExpectedOrder(measure, *pair, (more, less) if more else None)
 
 
 def check_hypotheses(
-    texts: Sequence[str], measures: Sequence[str], feedbacks: Sequence[str]
+    texts: Sequence[str], measures: Sequence[str], definition: Definition
 ) -> None:
-    """Refuse those that name a measure or feedback that the study does not have."""
+    """Refuse those that name a measure, feedback or level that the study does not have."""
+    feedbacks = definition.feedback_keys
     for text in texts:
         if (claim := hypothesis_of(text)) is None:
             continue
+        factors = [
+            tuple(dict.fromkeys(o)) for o in definition.sequence_factors.values()
+        ]
+        of_higher = [each for each in factors if claim.higher in each]
+        if claim.difference is not None:
+            of_higher = of_higher or [tuple(one for each in factors for one in each)]
+        compared = of_higher[0] if of_higher else feedbacks
         for name, known in (
             (claim.measure, measures),
-            (claim.higher, feedbacks),
-            (claim.lower, feedbacks),
+            *((one, feedbacks) for one in claim.difference or ()),
+            (claim.higher, compared),
+            (claim.lower, compared),
         ):
             if name not in known:
                 raise UsageError(

@@ -1,17 +1,19 @@
 """A study as tidy CSV tables, with a data dictionary."""
 
 import codecs
-import csv
-import io
 import math
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hapticplayer import storage
 from hapticplayer.study.answers import Answers
+from hapticplayer.study.data_table import (
+    DataColumn,
+    DataTable,
+    guarded,
+    separated,
+)
 from hapticplayer.study.definition import (
     OF_TRIALS,
     Definition,
@@ -31,34 +33,6 @@ from hapticplayer.study.trial_force import LEAST_FORCE_N, MOST_ERROR, TrialForce
 if TYPE_CHECKING:
     from hapticplayer.study.live_ratings import RatingTrack
 
-
-class DataColumn(NamedTuple):
-    """A column: name, meaning, unit or levels, and the texts of levels."""
-
-    name: str
-    meaning: str
-    levels: str = ""
-    texts: Mapping[str, str] = MappingProxyType({})
-
-
-class DataTable(NamedTuple):
-    """A table: name of the file, columns, rows."""
-
-    name: str
-    columns: Sequence[DataColumn]
-    rows: Sequence[Sequence[Any]]
-
-
-_SIGN = "[=+\\-@\uff1d\uff0b\uff0d\uff20]"
-_FORMULA = re.compile(f"['\\s\ufeff\u200b-\u200f]*{_SIGN}|[\t\r\n]")
-"""Beginnings of a text that spreadsheets take for a formula, also in full width."""
-
-_LATER = re.compile(f'([;\t\n][ \u00a0"]*)(?={_SIGN})')
-"""Where a cell begins for those that separate by semicolons or tabs."""
-
-_BREAKS = re.compile("\r\n|[\r\x0b\x0c\x1c-\x1e\x85\u2028\u2029]")
-_CONTROLS = re.compile("[\0-\x08\x0e-\x1f\x7f]")
-"""At some of them programs take the file to end."""
 
 _WHO = DataColumn("participant", "code of the participant")
 _WHERE = (
@@ -132,6 +106,21 @@ _TRIAL_COLUMNS = (
     DataColumn("response_s", "from the questions to the answer", "s"),
     *FELT,
 )
+
+
+def factor_columns(
+    definition: Definition, taken: Iterable[DataColumn]
+) -> list[DataColumn]:
+    """The factors in which the sequences differ; another name where one is taken."""
+    names = {column.name for column in taken}
+    return [
+        DataColumn(
+            f"sequence_{name}" if name in names else name,
+            f"{name} of the sequence",
+            "|".join(dict.fromkeys(levels)),
+        )
+        for name, levels in definition.sequence_factors.items()
+    ]
 
 
 class GivenColumn(NamedTuple):
@@ -280,11 +269,16 @@ def _ratings(data: StudyData) -> DataTable:
         DataColumn("value", "rating; empty where it is missing", scales),
         _IS_VALID,
     )
+    levels_of = data.definition.levels_of
     rows = [
-        (r.participant, r.sequence, r.feedback, r.factor, r.value, r.is_valid)
+        (
+            *(r.participant, r.sequence, r.feedback, r.factor, r.value, r.is_valid),
+            *levels_of(r.sequence),
+        )
         for r in answers.ratings
     ]
-    return DataTable("ratings.csv", columns, rows)
+    whole = (*columns, *factor_columns(data.definition, columns))
+    return DataTable("ratings.csv", whole, rows)
 
 
 def _judgements(answers: Answers) -> DataTable:
@@ -410,9 +404,10 @@ def _texts(answers: Answers) -> DataTable:
 
 
 def _trials(data: StudyData) -> DataTable:
-    given = answer_columns(data.definition, *OF_TRIALS, taken=_TRIAL_COLUMNS)
+    own = (*_TRIAL_COLUMNS, *factor_columns(data.definition, _TRIAL_COLUMNS))
+    given = answer_columns(data.definition, *OF_TRIALS, taken=own)
     rated = rating_columns(data.definition)
-    columns = (*_TRIAL_COLUMNS, *(one.column for one in given), *rated)
+    columns = (*own, *(one.column for one in given), *rated)
     return DataTable("trials.csv", columns, list(_trial_rows(data, given)))
 
 
@@ -441,6 +436,7 @@ def _trial_rows(
                 *(trial.playback.get(column.name) for column in _PLAYED),
                 trial.response_s,
                 *trial_force_cells(forces.get((trial.position, trial.attempt))),
+                *data.definition.levels_of(condition.sequence),
                 *(one.cell(values) for one in given),
                 *rated(trial),
             )
@@ -463,37 +459,3 @@ def _dictionary(tables: Iterable[DataTable], feedbacks: Mapping[str, str]) -> Da
         for c in t.columns
     ]
     return DataTable("data_dictionary.csv", columns, rows)
-
-
-def guarded(value: Any) -> Any:
-    """Return a cell that no spreadsheet takes for a formula.
-
-    Line breaks become the one that `csv` puts into quotation marks, control characters
-    the sign for what cannot be shown.
-    """
-    if not isinstance(value, str):
-        return value
-    text = _CONTROLS.sub("\ufffd", _BREAKS.sub("\n", value))
-    guarded_text = _LATER.sub(r"\1'", text)
-    return f"'{guarded_text}" if _FORMULA.match(value) else guarded_text
-
-
-def separated(table: DataTable, mark: str = ",", missing: str = "") -> bytes:
-    """Return a table as text.
-
-    Args:
-        table: to be written.
-        mark: delimiter.
-        missing: text for missing values.
-    """
-    out = io.StringIO()
-    writer = csv.writer(out, delimiter=mark, lineterminator="\n")
-    writer.writerow([column.name for column in table.columns])
-    writer.writerows([_cell(value, missing) for value in row] for row in table.rows)
-    return out.getvalue().encode(errors="replace")
-
-
-def _cell(value: Any, missing: str) -> Any:
-    if value is None or value == "":
-        return missing
-    return str(value).lower() if isinstance(value, bool) else value

@@ -124,7 +124,7 @@ def courses(
         tracks: of each participant, of valid trials, by condition and key.
         notices: gets why there are no forces.
     """
-    forces = _forces(study, notices) if study.definition.while_watching else {}
+    forces = played_forces(study, notices) if study.definition.while_watching else {}
     for rating in study.definition.while_watching:
         for condition in study.definition.conditions:
             found = [one.get(condition, {}).get(rating.key) for one in tracks]
@@ -162,7 +162,7 @@ def _at(track: RatingTrack | None, until_s: float, time_s: Floats) -> Floats:
     return np.where(is_known, value[np.maximum(rows, 0)], np.nan)
 
 
-def _forces(study: Study, notices: list[str]) -> dict[tuple[str, str], Forces]:
+def played_forces(study: Study, notices: list[str]) -> dict[tuple[str, str], Forces]:
     """By sequence and feedback, the force that is played and that of the motion."""
     from hapticplayer.playback.conditions import feedback_track
     from hapticplayer.playback.source import open_source  # few studies have ratings

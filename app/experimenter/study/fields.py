@@ -185,6 +185,22 @@ class Fields(QScrollArea):
         self._bind(label, place, line, show)
         return line
 
+    def pairs(self, label: str, place: Place, tip: str) -> None:
+        """Add a line of names with values, such as `viewpoint=first`."""
+        line = QLineEdit()
+        line.setToolTip(tip)
+
+        def show() -> None:
+            held = self.document.at(place) or {}
+            if _pairs_in(line.text()) != held:
+                line.setText(", ".join(f"{name}={one}" for name, one in held.items()))
+                line.setCursorPosition(0)
+
+        line.textEdited.connect(
+            lambda text: self._set(place, _pairs_in(text) or None, label)
+        )
+        self._add(label, place, line, show)
+
     def area(
         self,
         label: str,
@@ -380,6 +396,11 @@ class Fields(QScrollArea):
             event.ignore()
             return True
         return super().eventFilter(watched, event)
+
+
+def _pairs_in(text: str) -> dict[str, str]:
+    parts = (one.partition("=") for one in text.split(",") if one.strip())
+    return {name.strip(): value.strip() for name, _, value in parts}
 
 
 def _word_or_number(text: str) -> str | int | float:

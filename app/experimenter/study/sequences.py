@@ -106,6 +106,11 @@ class SequenceList(EntryList):
             tip=self.tr("In data and figures: a to z, 0 to 9, _ and -"),
         )
         key.setMaximumWidth(2 * key.sizeHint().width())
+        tip = self.tr(
+            "What sequences differ in, such as viewpoint=first here and viewpoint=third in "
+            "others; the analysis compares feedbacks at each level"
+        )
+        fields.pairs(self.tr("Factors"), (*place, "factors"), tip)
         fields.whole(
             paragraph(
                 self.tr(
@@ -126,8 +131,14 @@ class SequenceList(EntryList):
     # --- what a person does ------------------------------------------------------
 
     def add(self, chosen: Iterable[Entry]) -> None:
-        """Add sequences; the first ones take the place of the template's examples."""
+        """Add sequences; the first ones take the place of the template's examples.
+
+        Their levels of the factors that others have are to be entered.
+        """
         before = self.document.value["sequences"]
+        factors = dict.fromkeys(
+            (n for one in before for n in one.get("factors", {})), ""
+        )
         kept = [] if all(not one["folder"] for one in before) else before
         made: list[dict[str, object]] = list(kept)
         for entry in chosen:
@@ -136,6 +147,7 @@ class SequenceList(EntryList):
                     "key": free_key(entry.title, [str(one["key"]) for one in made]),
                     "title": dict.fromkeys(self.document.languages, entry.title),
                     "folder": str(entry.folder.absolute()),
+                    **({"factors": dict(factors)} if factors else {}),
                 }
             )
         self.selected = ("sequences", len(made) - 1)

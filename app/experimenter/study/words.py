@@ -171,6 +171,7 @@ def _part_words(first: str, part: str | int) -> str:
         "key": translate("StudyWords", "Name in the data"),
         "title": translate("StudyWords", "Title"),
         "folder": translate("StudyWords", "Recording"),
+        "factors": translate("StudyWords", "Factors"),
         "text": translate("StudyWords", "Wording"),
         "published": translate("StudyWords", "Published wording"),
         "choices": translate("StudyWords", "Answers"),

@@ -21,6 +21,7 @@ from hapticplayer.extras.research.bids_ratings import (
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.storage import json_text
 from hapticplayer.study.answers import simulated_mark
+from hapticplayer.study.data_table import DataColumn, DataTable, separated
 from hapticplayer.study.definition import OF_TRIALS, Definition, When
 from hapticplayer.study.intervals import played_as
 from hapticplayer.study.scoring import Scoring
@@ -29,12 +30,10 @@ from hapticplayer.study.steps import AnsweredTrial, answered_trials
 from hapticplayer.study.study_csv import (
     FELT,
     INTERVAL,
-    DataColumn,
-    DataTable,
     GivenColumn,
     answer_columns,
+    factor_columns,
     participants,
-    separated,
     trial_force_cells,
 )
 from hapticplayer.study.study_data import (
@@ -206,9 +205,17 @@ def _beh_sidecar(definition: Definition) -> dict[str, Any]:
     made["feedback"]["Levels"] = {
         one.name: one.text for one in definition.chosen_feedbacks
     }
-    for one in answer_columns(definition, *OF_TRIALS, taken=_BEH):
+    own = _beh_columns(definition)
+    for column in own[len(_BEH) :]:
+        levels = {level: level for level in column.levels.split("|")}
+        made[column.name] = {"Description": column.meaning, "Levels": levels}
+    for one in answer_columns(definition, *OF_TRIALS, taken=own):
         made[one.column.name] = _asked(one)
     return made
+
+
+def _beh_columns(definition: Definition) -> tuple[DataColumn, ...]:
+    return (*_BEH, *factor_columns(definition, _BEH))
 
 
 def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
@@ -216,8 +223,9 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     behaviour = folder / "beh"
     folder.mkdir(mode=storage.PRIVATE_FOLDER)
     behaviour.mkdir(mode=storage.PRIVATE_FOLDER)
-    given = answer_columns(data.definition, *OF_TRIALS, taken=_BEH)
-    columns = [*_BEH, *(one.column for one in given)]
+    own = _beh_columns(data.definition)
+    given = answer_columns(data.definition, *OF_TRIALS, taken=own)
+    columns = [*own, *(one.column for one in given)]
     forces = data.trial_forces(session)
     scoring = Scoring(data.definition, *OF_TRIALS)
     rows = [
@@ -225,6 +233,7 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
             *_beh_row(
                 data.definition, trial, forces.get((trial.position, trial.attempt))
             ),
+            *data.definition.levels_of(trial.condition.sequence),
             *(one.cell(scoring.completed(trial.values)) for one in given),
         )
         for trial in answered_trials(session.records)

@@ -26,6 +26,11 @@ from hapticplayer.study.analysis.scores import (
     sample_of,
     scores_of,
 )
+from hapticplayer.study.analysis.sequence_factor_tests import (
+    FACTOR_LOGIT,
+    FACTOR_PAIRS,
+    FACTOR_RANKS,
+)
 from hapticplayer.study.analysis.statistic import Statistic, counted, listed, plain
 from hapticplayer.study.analysis.trial_force_report import trial_force_summary
 from hapticplayer.study.answers import Answers
@@ -43,9 +48,22 @@ STATISTICS: dict[str, Statistic] = {
         ALIGNED_RANKS,
         ORDINAL_LOGIT,
         ORDINAL_PROBIT,
+        FACTOR_RANKS,
+        FACTOR_PAIRS,
+        FACTOR_LOGIT,
     )
 }
 """To add a statistic, define a `Statistic` beside its function and list it here."""
+
+
+def statistics_of(*, has_factors: bool) -> dict[str, Statistic]:
+    """The statistics of a study, whose sequences may differ in factors."""
+    return {
+        name: one
+        for name, one in STATISTICS.items()
+        if has_factors or not one.of_factors
+    }
+
 
 FEW = 6
 """Fewest participants with which a pair can reach 0.05 in the signed-rank test."""
@@ -91,11 +109,13 @@ class MeasureAnalysis:
         sample: means over the sequences, used by the tests.
         feedbacks: summary of `sample` by feedback.
         conditions: summary of all answers by sequence and feedback.
+        levels: summary by level of the sequences' factors and feedback.
     """
 
     sample: Sample
     feedbacks: dict[str, Summary]
     conditions: dict[str, dict[str, Summary]]
+    levels: dict[str, dict[str, Summary]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +138,11 @@ class Analysis:
     answers: Answers
     first_order: dict[str, dict[str, Any]]
 
+    @property
+    def statistics(self) -> dict[str, Statistic]:
+        """What was computed, by name."""
+        return statistics_of(has_factors=bool(self.scores.sequence_factors))
+
 
 def analyse(
     answers: Answers,
@@ -134,17 +159,18 @@ def analyse(
     options = options or AnalysisOptions()
     scores = scores_of(answers, include_invalid=options.include_invalid)
     measures: dict[str, MeasureAnalysis] = {}
-    found: dict[str, dict[str, Any]] = {name: {} for name in STATISTICS}
+    statistics = statistics_of(has_factors=bool(scores.sequence_factors))
+    found: dict[str, dict[str, Any]] = {name: {} for name in statistics}
     for number, measure in enumerate(scores.measures):
         step = Message("analysing {measure}", measure=measure)
         progress(number / len(scores.measures), step)
         measures[measure] = described = _described(scores, measure, options)
-        for place, (name, statistic) in enumerate(STATISTICS.items()):
-            done = number + (1 + place) / (1 + len(STATISTICS))
+        for place, (name, statistic) in enumerate(statistics.items()):
+            done = number + (1 + place) / (1 + len(statistics))
             progress(done / len(scores.measures), step)
             one = statistic.compute(described.sample, options.resampling)
             found[name][measure] = plain(one)
-    for name, statistic in STATISTICS.items():
+    for name, statistic in statistics.items():
         statistic.correct(found[name])
     models = first_order_models(answers.courses, options.resampling)
     return Analysis(scores, options, measures, found, answers, models)
@@ -169,7 +195,15 @@ def _described(
         }
         for i, sequence in enumerate(scores.sequences)
     }
-    return MeasureAnalysis(sample, feedbacks, conditions)
+    levels = {
+        level: {
+            name: summary(values[:, j], f"{level}/{name}")
+            for j, name in enumerate(sample.feedbacks)
+        }
+        for factor in scores.sequence_factors
+        for level, values in sample.by_level(factor).items()
+    }
+    return MeasureAnalysis(sample, feedbacks, conditions, levels)
 
 
 def summary(analysis: Analysis) -> dict[str, Any]:
@@ -177,35 +211,38 @@ def summary(analysis: Analysis) -> dict[str, Any]:
 
     `qoe` and `felt` have the feedbacks, `factors` the same for each factor, `questions` the
     answers to other questions; each statistic and
-    `conditions` have the measures ("qoe" and the factors) first. A pair is called
-    "first-second". What is not defined is None.
+    `conditions` have the measures ("qoe" and the factors) first, and so have `levels` where
+    sequences differ in factors. A pair is called "first-second". What is not defined is None.
     """
-    measures = analysis.measures
+    measures, factors = analysis.measures, analysis.scores.sequence_factors
     described = {
         name: {key: dataclasses.asdict(one) for key, one in measure.feedbacks.items()}
         for name, measure in measures.items()
     }
-    conditions = {
-        name: {
-            sequence: {key: dataclasses.asdict(one) for key, one in part.items()}
-            for sequence, part in measure.conditions.items()
-        }
-        for name, measure in measures.items()
-    }
+    conditions = {name: _plain(one.conditions) for name, one in measures.items()}
+    levels = {name: _plain(one.levels) for name, one in measures.items()}
     return {
         "qoe": described.pop(QOE, {}),
         "factors": described,
         **{
             statistic.key or name: analysis.found[name]
-            for name, statistic in STATISTICS.items()
+            for name, statistic in analysis.statistics.items()
         },
         "conditions": conditions,
+        **({"levels": levels} if factors else {}),
         "missing": missing(analysis),
         "scales": scale_summary(analysis.answers),
         "questions": question_summary(analysis.answers),
         "felt": trial_force_summary(analysis.answers),
         "warnings": warnings_of(analysis),
         "provenance": analysis.options.provenance(),
+    }
+
+
+def _plain(groups: dict[str, dict[str, Summary]]) -> dict[str, Any]:
+    return {
+        group: {key: dataclasses.asdict(one) for key, one in part.items()}
+        for group, part in groups.items()
     }
 
 
@@ -251,7 +288,7 @@ def warnings_of(analysis: Analysis) -> list[str]:
         *_participant_warnings(analysis),
         *(
             text
-            for name, statistic in STATISTICS.items()
+            for name, statistic in analysis.statistics.items()
             for text in statistic.warn(analysis.found[name])
         ),
     ]

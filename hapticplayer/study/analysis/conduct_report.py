@@ -128,7 +128,16 @@ def order_balance(answers: Answers) -> Iterator[ReportBlock]:
         f"Orders were {ORDERS.get(conduct.order_method, conduct.order_method)}. "
         f"Each condition was played {position[0]} to {position[1]} times at each "
         f"position, and {after[0]} to {after[1]} times directly after each other one."
+        f"{_positions(conduct.mean_positions)}"
     )
+
+
+def _positions(means: Mapping[str, float]) -> str:
+    """Where in the orders the levels of the sequences' factors were."""
+    if not means:
+        return ""
+    texts = [f"{number(mean)} ({level})" for level, mean in means.items()]
+    return f" Mean positions of the trials with each level: {listed(texts)}."
 
 
 def playback(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock]:

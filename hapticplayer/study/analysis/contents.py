@@ -4,7 +4,6 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from hapticplayer.study.analysis.analysis import (
-    STATISTICS,
     Analysis,
     AnalysisOptions,
     missing,
@@ -36,6 +35,11 @@ from hapticplayer.study.analysis.methods import (
 )
 from hapticplayer.study.analysis.ordinal_mixed import EFFECTS_FIGURE, known_effects
 from hapticplayer.study.analysis.scores import factors_figure
+from hapticplayer.study.analysis.sequence_factor_tests import (
+    effects_at_levels,
+    effects_figure,
+    levels_figure,
+)
 from hapticplayer.study.analysis.statistic import (
     ReportColumn,
     Statistic,
@@ -82,8 +86,8 @@ def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
     yield from playback(analysis.answers, analysis.scores.feedbacks)
     yield from trial_force_blocks(analysis.answers, analysis.scores.feedbacks)
     if not is_empty:
-        yield from _assumptions()
-        yield from references(works(), described)
+        yield from _assumptions(analysis)
+        yield from references(works(analysis), described)
     yield from reproducibility(analysis.options)
 
 
@@ -92,15 +96,16 @@ def _results(analysis: Analysis) -> Iterator[ReportBlock]:
     yield from _figures(analysis)
     yield from _means(analysis)
     yield Heading("Tests")
-    tables = [_table(one, analysis.found[name]) for name, one in STATISTICS.items()]
+    of_all = analysis.statistics.items()
+    tables = [_table(one, analysis.found[name]) for name, one in of_all]
     yield from (table for table in tables if table.rows)
     yield from course_blocks(analysis.answers, analysis.first_order)
 
 
-def _assumptions() -> Iterator[ReportBlock]:
+def _assumptions(analysis: Analysis) -> Iterator[ReportBlock]:
     yield Heading("Assumptions of the tests")
     yield Paragraph(_MEANS)
-    for statistic in STATISTICS.values():
+    for statistic in analysis.statistics.values():
         if statistic.assumes:
             yield Paragraph(statistic.assumes)
 
@@ -163,6 +168,22 @@ def _figures(analysis: Analysis) -> Iterator[ReportBlock]:
             "first, with 95 % intervals.",
             _effects_described(effects),
         )
+    for factor in analysis.scores.sequence_factors:
+        levels = analysis.scores.levels_of(factor)
+        name = analysis.scores.measures[0]
+        yield ReportFigure(
+            levels_figure(factor),
+            f"{_label(name)} by {factor} and feedback, means over the sequences of each level. "
+            f"{shown}",
+            _described({level: measures[name].levels[level] for level in levels}),
+        )
+        if effects := effects_at_levels(analysis.found, levels):
+            yield ReportFigure(
+                effects_figure(factor),
+                f"Differences between feedbacks at each level of {factor}, in the mixed model of "
+                "each measure (logit), second less first, with 95 % intervals.",
+                _effects_described(effects),
+            )
 
 
 def _effects_described(effects: Mapping[str, Mapping[str, Any]]) -> str:
@@ -196,6 +217,16 @@ def _means(analysis: Analysis) -> Iterator[ReportBlock]:
     )
     title = "Means over the sequences by feedback"
     yield ReportTable(title, ("measure: feedback", *head), rows, _NO_INTERVAL)
+    for factor in analysis.scores.sequence_factors:
+        rows = tuple(
+            _summary_row(f"{_label(name)}: {level}, {feedback}", summary)
+            for name, one in analysis.measures.items()
+            for level in analysis.scores.levels_of(factor)
+            for feedback, summary in one.levels[level].items()
+        )
+        title = f"Means over the sequences of each level of {factor}, by feedback"
+        first = f"measure: {factor}, feedback"
+        yield ReportTable(title, (first, *head), rows, _NO_INTERVAL)
     for name, one in analysis.measures.items():
         rows = tuple(
             _summary_row(f"{sequence}, {feedback}", summary)

@@ -16,6 +16,11 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.analysis import Analysis
 from hapticplayer.study.analysis.ordinal_mixed import EFFECTS_FIGURE, known_effects
 from hapticplayer.study.analysis.scores import factors_figure
+from hapticplayer.study.analysis.sequence_factor_tests import (
+    effects_at_levels,
+    effects_figure,
+    levels_figure,
+)
 from hapticplayer.study.definition import QOE
 
 if TYPE_CHECKING:
@@ -57,6 +62,11 @@ def figures(analysis: Analysis) -> dict[str, "Figure"]:
         found[factors_figure(scores, limits)] = made
     if effects := known_effects(analysis.found):
         found[EFFECTS_FIGURE] = effects_by_measure(effects)
+    for factor in scores.sequence_factors:
+        found[levels_figure(factor)] = ratings_by_level(analysis, factor)
+        levels = scores.levels_of(factor)
+        if effects := effects_at_levels(analysis.found, levels):
+            found[effects_figure(factor)] = effects_by_measure(effects)
     return found
 
 
@@ -66,10 +76,22 @@ def qoe_by_sequence(analysis: Analysis) -> "Figure":
     values = scores.of(QOE)  # (P, S, F)
     groups = dict(zip(scores.sequences, np.moveaxis(values, 1, 0), strict=True))
     groups["all"] = analysis.measures[QOE].sample.values
-    of = [scores.ranges[scores.factors.index(factor)] for factor in scores.qoe]
-    limits = sum(low for low, _ in of), sum(high for _, high in of)
+    limits = scores.limits_of(QOE)
     return _figure(
         groups, scores.feedbacks, f"QoE ({limits[0]:g} to {limits[1]:g})", limits
+    )
+
+
+def ratings_by_level(analysis: Analysis, factor: str) -> "Figure":
+    """Draw the first measure by level of a factor of the sequences and feedback."""
+    scores, name = analysis.scores, analysis.scores.measures[0]
+    limits = scores.limits_of(name)
+    label = "QoE" if name == QOE else name
+    return _figure(
+        analysis.measures[name].sample.by_level(factor),
+        scores.feedbacks,
+        f"{label} ({limits[0]:g} to {limits[1]:g})",
+        limits,
     )
 
 

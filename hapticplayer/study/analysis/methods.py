@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from hapticplayer.study.analysis.analysis import STATISTICS, Analysis, AnalysisOptions
+from hapticplayer.study.analysis.analysis import Analysis, AnalysisOptions
 from hapticplayer.study.analysis.blocks import Heading, Paragraph, ReportBlock
 from hapticplayer.study.analysis.references import EFRON_1993, HOLM_1979
 from hapticplayer.study.analysis.scores import MissingPolicy, Scores
@@ -23,10 +23,10 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
     yield Paragraph(
         f"Each of {len(scores.sequences)} sequences was rated with each of "
         f"{len(scores.feedbacks)} feedbacks ({listed(scores.feedbacks)}) for "
-        f"{_scales(scores)}.{_sum(scores)} Unless stated otherwise, tests are of the means over the sequences for "
+        f"{_scales(scores)}.{_sum(scores)}{_factors(scores)} Unless stated otherwise, tests are of the means over the sequences for "
         f"each participant and feedback. {_MISSING[options.missing]} {invalid_text(options)}"
     )
-    for name, statistic in STATISTICS.items():
+    for name, statistic in analysis.statistics.items():
         found = analysis.found[name]
         parts = [
             part for one in found.values() for part in statistic.rows(one).values()
@@ -61,6 +61,26 @@ def _sum(scores: Scores) -> str:
     return f" QoE of a condition is the sum of {parts}."
 
 
+def _factors(scores: Scores) -> str:
+    """The sequences of each level of their factors."""
+    return "".join(
+        f" The sequences differ in {factor}: {sequences_of_levels(scores, factor)}."
+        for factor in scores.sequence_factors
+    )
+
+
+def sequences_of_levels(scores: Scores, factor: str) -> str:
+    """The levels of a factor with their sequences, in words."""
+    given = scores.sequence_factors[factor]
+    of = {
+        level: [
+            s for s, one in zip(scores.sequences, given, strict=True) if one == level
+        ]
+        for level in dict.fromkeys(given)
+    }
+    return "; ".join(f"{level} in {listed(names)}" for level, names in of.items())
+
+
 def invalid_text(options: AnalysisOptions) -> str:
     kept = "were kept" if options.include_invalid else "count as missing"
     return f"Answers to trials whose playback was not valid {kept}."
@@ -87,8 +107,8 @@ def references(
             yield Paragraph(work)
 
 
-def works() -> Iterator[str]:
+def works(analysis: Analysis) -> Iterator[str]:
     """Yield the works that methods of analyses of ratings are from."""
     yield from (EFRON_1993, HOLM_1979)
-    for statistic in STATISTICS.values():
+    for statistic in analysis.statistics.values():
         yield from statistic.references

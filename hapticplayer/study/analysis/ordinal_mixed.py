@@ -178,11 +178,16 @@ def _at_cuts(answers: OrderedAnswers, full: FittedModel) -> Iterator[Floats]:
 
 
 def difference(model: FittedModel, i: int, j: int) -> Found:
-    """Feedback j less i by Wald's interval and test; None where it is not determined."""
+    """Feedback j less i, as `contrast`."""
     weights = np.zeros(len(model.effects) + 1)
     weights[i], weights[j] = -1.0, 1.0
-    used = np.flatnonzero(weights[1:])  # others may not be determined
-    weights, covariance = weights[1 + used], model.covariance[np.ix_(used, used)]
+    return contrast(model, weights[1:])
+
+
+def contrast(model: FittedModel, of_effects: Floats) -> Found:
+    """A sum of effects by Wald's interval and test; None where it is not determined."""
+    used = np.flatnonzero(of_effects)  # others may not be determined
+    weights, covariance = of_effects[used], model.covariance[np.ix_(used, used)]
     estimate = float(weights @ model.effects[used])
     error = math.sqrt(max(0.0, float(weights @ covariance @ weights)))
     if not error > 0.0 or max(abs(estimate), error) > FAR:

@@ -20,6 +20,7 @@ from hapticplayer.study.analysis.describing import Resampling
 from hapticplayer.study.analysis.friedman import can_be_counted, chi_squares, exact_p
 from hapticplayer.study.analysis.rank_tests import signed_rank_p
 from hapticplayer.study.analysis.scores import Sample
+from hapticplayer.study.analysis.sequence_factor_tests import level_contrasts
 from hapticplayer.study.analysis.statistic import holm_of_columns
 
 FRIEDMAN, ALL_PAIRS = "friedman", "all pairs"
@@ -36,8 +37,14 @@ TESTS = Message(
     most=MOST_EXACT,
 )
 
+LEVEL_TESTS = Message(
+    "levels, and differences of feedbacks at two levels: Wilcoxon with Holm over all, exact "
+    "to {most} participants, then an approximation",
+    most=MOST_EXACT,
+)
+
 Draw = Callable[[int, int, np.random.Generator], Floats]
-"""Returns simulated scores (studies, participants, F)."""
+"""Returns simulated scores (studies, participants, F), or as many of something else."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,11 +109,16 @@ class Power:
 
 def draw_pilot(pilot: Sample) -> Draw:
     """Return draws with replacement from the participants of a pilot study."""
-    if len(pilot.values) < 5:
+    return draw_rows(pilot.values)
+
+
+def draw_rows(values: Floats) -> Draw:
+    """Return draws with replacement from (P, C)."""
+    if len(values) < 5:
         raise UsageError("a pilot study must have at least five complete participants")
 
     def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
-        return pilot.values[rng.integers(len(pilot.values), size=(studies, people))]
+        return values[rng.integers(len(values), size=(studies, people))]
 
     return draw
 
@@ -125,9 +137,54 @@ def find_power(
         goal: the question.
         progress: called with the fraction done and the step; raises to cancel.
     """
-    sizes = _sizes(goal.largest)
     pairs = list(combinations(range(len(feedbacks)), 2))
-    hits = np.zeros((len(pairs) + 2, len(sizes)))
+    names = [FRIEDMAN, *(f"{feedbacks[i]}-{feedbacks[j]}" for i, j in pairs), ALL_PAIRS]
+
+    def significant(values: Floats) -> Floats:
+        return _significant(values, pairs, goal.alpha)
+
+    return _simulated(draw, names, significant, goal, TESTS, progress)
+
+
+def find_level_power(
+    draw: Draw,
+    feedbacks: tuple[str, ...],
+    levels: tuple[str, ...],
+    goal: PowerGoal,
+    progress: Progress = lambda _fraction, _step: None,
+) -> Power:
+    """The power of the tests of a factor in which sequences differ.
+
+    Args:
+        draw: returns simulated means over the sequences of a level
+            (studies, participants, L * F), levels first.
+        feedbacks: names.
+        levels: names.
+        goal: the question.
+        progress: called with the fraction done and the step; raises to cancel.
+    """
+    contrasts = level_contrasts(feedbacks, levels)
+    weights = np.stack(list(contrasts.values()))
+
+    def significant(values: Floats) -> Floats:
+        p = np.stack([_pair_p(values @ one) for one in weights])
+        return np.asarray((holm_of_columns(p) <= goal.alpha).sum(axis=1), np.float64)
+
+    of = list(contrasts), significant, goal, LEVEL_TESTS
+    return _simulated(draw, *of, progress)
+
+
+def _simulated(
+    draw: Draw,
+    names: list[str],
+    significant: Callable[[Floats], Floats],
+    goal: PowerGoal,
+    tests: Message,
+    progress: Progress,
+) -> Power:
+    """The power of tests by name; `significant` counts studies (D, P, C) by test."""
+    sizes = _sizes(goal.largest)
+    hits = np.zeros((len(names), len(sizes)))
     rng = np.random.default_rng(goal.seed)
     for begin in range(0, goal.studies, _BLOCK):
         progress(
@@ -141,14 +198,13 @@ def find_power(
         count = min(_BLOCK, goal.studies - begin)
         values = draw(count, goal.largest, rng)
         for place, size in enumerate(sizes):
-            hits[:, place] += _significant(values[:, :size], pairs, goal.alpha)
+            hits[:, place] += significant(values[:, :size])
     shares = hits / goal.studies
-    names = [FRIEDMAN, *(f"{feedbacks[i]}-{feedbacks[j]}" for i, j in pairs), ALL_PAIRS]
     curves = {
         name: tuple(row.tolist()) for name, row in zip(names, shares, strict=True)
     }
     needed = {name: needed_size(row, sizes, goal.power) for name, row in curves.items()}
-    return Power(goal, sizes, curves, needed)
+    return Power(goal, sizes, curves, needed, tests)
 
 
 def power_summary(found: Power) -> dict[str, Any]:

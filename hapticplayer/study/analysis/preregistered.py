@@ -1,12 +1,12 @@
 """The plan of a study as a document, and in the report what came of it."""
 
 import hashlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.study.analysis.analysis import STATISTICS, AnalysisOptions
+from hapticplayer.study.analysis.analysis import AnalysisOptions, statistics_of
 from hapticplayer.study.analysis.blocks import (
     Heading,
     Paragraph,
@@ -22,6 +22,7 @@ from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import QOE, Definition
 from hapticplayer.study.preregistration import (
     Deviation,
+    ExpectedOrder,
     PlannedAnalysis,
     PlannedPower,
     Preregistration,
@@ -46,14 +47,14 @@ def analysis_digest() -> str:
     return digest.hexdigest()
 
 
-def planned_analysis(options: AnalysisOptions) -> PlannedAnalysis:
-    made = options.provenance()
+def planned_analysis(options: AnalysisOptions, *, has_factors: bool) -> PlannedAnalysis:
+    made, planned = options.provenance(), statistics_of(has_factors=has_factors)
     return PlannedAnalysis(
         missing_answers=options.missing.value,
         include_invalid=options.include_invalid,
         seed=options.resampling.seed,
         resamples=options.resampling.count,
-        statistics=tuple(one.title for one in STATISTICS.values()),
+        statistics=tuple(one.title for one in planned.values()),
         sha256=analysis_digest(),
         versions={"program": made["program"], **made["versions"]},
     )
@@ -63,11 +64,12 @@ def deviations(answers: Answers, options: AnalysisOptions) -> tuple[Deviation, .
     """What was done otherwise than planned; nothing where there was no plan."""
     if answers.registered is None:
         return ()
-    plan = answers.registered.plan
+    plan, has_factors = answers.registered.plan, bool(answers.sequence_factors)
+    made = planned_analysis(options, has_factors=has_factors)
     return (
         *_of_participants(plan, answers),
         *answers.registered.deviations,
-        *_of_analysis(plan.analysis, planned_analysis(options)),
+        *_of_analysis(plan.analysis, made),
     )
 
 
@@ -149,31 +151,57 @@ def _section(
 def _result(text: str, numbers: Mapping[str, Any]) -> str:
     """What the signed-rank test says of a hypothesis."""
     claim = hypothesis_of(text)
-    tested = numbers.get("wilcoxon", {}).get(claim.measure) if claim else None
-    if claim is None or not tested:
+    if claim is None or not numbers.get("wilcoxon", {}).get(claim.measure):
         return "It is not tested by the program."
-    groups = numbers["qoe"] if claim.measure == QOE else None
-    means = groups or numbers["factors"][claim.measure]
-    pair = next(
-        (
-            tested[name]
-            for name in (
-                f"{claim.higher}-{claim.lower}",
-                f"{claim.lower}-{claim.higher}",
-            )
-            if name in tested
-        ),
-        None,
-    )
-    if pair is None or pair["p_holm"] is None:
+    tested, more = _compared(claim, numbers)
+    if tested is None or tested["p_holm"] is None:
         return "It could not be tested."
-    more = means[claim.higher]["mean"] - means[claim.lower]["mean"]
-    is_clear = pair["p_holm"] <= ALPHA
+    is_clear = tested["p_holm"] <= ALPHA
     word = "supported" if more > 0.0 else "contradicted"
     return (
         f"It was {word if is_clear else 'not supported'}: mean of {claim.higher} less "
-        f"{claim.lower} {number(more)}, Wilcoxon's signed-rank test, p (Holm) {p_value(pair['p_holm'])}."
+        f"{claim.lower} {number(more)}, Wilcoxon's signed-rank test, p (Holm) "
+        f"{p_value(tested['p_holm'])}."
     )
+
+
+def _compared(
+    claim: ExpectedOrder, numbers: Mapping[str, Any]
+) -> tuple[Mapping[str, Any] | None, float]:
+    """The test of a claim, and by how much the mean is larger where it is expected."""
+    levels = numbers.get("levels", {}).get(claim.measure, {})
+    pair = claim.higher, claim.lower
+    if claim.higher not in levels:
+        of = (
+            numbers["qoe"]
+            if claim.measure == QOE
+            else numbers["factors"][claim.measure]
+        )
+        tests = numbers["wilcoxon"][claim.measure]
+        return _test_in(tests, pair), of[claim.higher]["mean"] - of[claim.lower]["mean"]
+    tests = numbers["factor_pairs"][claim.measure] or {}
+    means = [
+        {name: one["mean"] for name, one in levels[level].items()} for level in pair
+    ]
+    if any(one is None for each in means for one in each.values()):
+        return None, 0.0
+    if claim.difference is None:
+        first, second = (sum(each.values()) / len(each) for each in means)
+        return _test_in(tests, pair), first - second
+    more, less = claim.difference
+    first, second = (each[more] - each[less] for each in means)
+    names = (f"{less}-{more}, ", f"{more}-{less}, ")
+    found = (_test_in(tests, pair, name) for name in names)
+    return next((one for one in found if one), None), first - second
+
+
+def _test_in(
+    tests: Mapping[str, Any], pair: tuple[str, str], before: str = ""
+) -> Mapping[str, Any] | None:
+    """The result for a pair, in whichever order it was compared."""
+    first, second = pair
+    names = f"{before}{first}-{second}", f"{before}{second}-{first}"
+    return next((tests[name] for name in names if name in tests), None)
 
 
 def _day(plan: Preregistration) -> str:
@@ -225,6 +253,10 @@ def _design(definition: Definition) -> Iterator[ReportBlock]:
         "Participants are never told the condition; the operator "
         f"{'is not told it either' if definition.operator_is_blind else 'sees it'}."
     )
+    if factors := definition.sequence_factors:
+        levels = zip(*factors.values(), strict=True)
+        of = tuple((key, *row) for key, row in zip(sequences, levels, strict=True))
+        yield ReportTable("Factors of the sequences", ("sequence", *factors), of)
     feedbacks = tuple((one.name, one.text) for one in definition.chosen_feedbacks)
     yield ReportTable("Feedbacks", ("feedback", "force"), feedbacks)
     rows = tuple(_questions(definition))
@@ -326,15 +358,20 @@ def _analysis(plan: Preregistration) -> Iterator[ReportBlock]:
 
 
 def planned_power(
-    population: str, measure: str, summary: Mapping[str, Any], size: int
+    population: str, measure: str, summaries: Sequence[Mapping[str, Any]], size: int
 ) -> PlannedPower:
-    """The power of a number of participants, from `power_summary`."""
-    place = summary["participants"].index(size)
+    """The power of a number of participants, from each `power_summary`."""
+    summary = summaries[0]
+    of = {
+        name: row[one["participants"].index(size)]
+        for one in summaries
+        for name, row in one["curves"].items()
+    }
     return PlannedPower(
         population=population,
         measure=measure,
         alpha=summary["alpha"],
         studies=summary["studies"],
-        tests=str(summary["tests"]),
-        of={name: row[place] for name, row in summary["curves"].items()},
+        tests="; ".join(str(one["tests"]) for one in summaries),
+        of=of,
     )

@@ -62,14 +62,13 @@ class Level(NamedTuple):
     Attributes:
         own: (f,) diagonal.
         share: (f, r) cross part with the groups that are left, over it.
-        parents: (f,) in the next level; None for the last one.
-        to_parent: (f,) cross part with it over `own`.
+        above: for each nested group after it the places (f,) of its members there, and
+            the cross part with them over `own`.
     """
 
     own: Floats
     share: Floats
-    parents: Indices | None = None
-    to_parent: Floats | None = None
+    above: tuple[tuple[Indices, Floats], ...]
 
 
 class Curvature(NamedTuple):
@@ -96,34 +95,41 @@ class Curvature(NamedTuple):
             for other, by in zip(others, deviations[count:], strict=True):
                 pairs = np.bincount(at * left + other, bend, left**2)
                 rest += deviation * by * pairs.reshape(left, left)
+        here = [places.local(group) for group in range(count)]
+        sizes = np.diff(places.firsts)[:count].tolist()
+        own: list[Floats] = []
+        cross: list[Floats] = []
+        coupled: dict[tuple[int, int], Floats] = {}
+        for group, (at_here, size) in enumerate(zip(here, sizes, strict=True)):
+            total = deviations[group] * np.bincount(at_here, bend, size)
+            own.append(1.0 + deviations[group] * total)
+            cross.append(np.zeros((size, left)))
+            for at, deviation in zip(others, deviations[count:], strict=True):
+                cells = np.bincount(at_here * left + at, bend, size * left)
+                cross[group] += (
+                    deviations[group] * deviation * cells.reshape(size, left)
+                )
+            for later in range(group + 1, count):
+                coupled[group, later] = deviations[later] * total
         levels: list[Level] = []
         for group in range(count):
-            here, size = places.local(group), int(np.diff(places.firsts)[group])
-            scale = deviations[group]
-            own = 1.0 + scale**2 * np.bincount(here, bend, size)
-            cross = np.zeros((size, left))
-            for at, deviation in zip(others, deviations[count:], strict=True):
-                cells = np.bincount(here * left + at, bend, size * left)
-                cross += scale * deviation * cells.reshape(size, left)
-            if levels:
-                below = levels[-1]
-                assert below.parents is not None
-                assert below.to_parent is not None
-                moved = below.to_parent * below.own
-                own -= np.bincount(below.parents, moved * below.to_parent, size)
-                cells = below.parents[:, None] * left + np.arange(left)
-                parts = moved[:, None] * below.share
-                counted = np.bincount(cells.ravel(), parts.ravel(), size * left)
-                cross -= counted.reshape(size, left)
-            share = cross / own[:, None]
-            rest -= cross.T @ share
-            if group + 1 == count:
-                levels.append(Level(own, share))
-                continue
-            parents = np.zeros(size, np.intp)
-            parents[here] = places.local(group + 1)
-            coupled = scale * deviations[group + 1] * np.bincount(here, bend, size)
-            levels.append(Level(own, share, parents, coupled / own))
+            share, above = cross[group] / own[group][:, None], []
+            for later in range(group + 1, count):
+                up = np.zeros(sizes[group], np.intp)
+                up[here[group]] = here[later]
+                whole = coupled[group, later]
+                part = whole / own[group]
+                above.append((up, part))
+                own[later] -= np.bincount(up, part * whole, sizes[later])
+                cells = up[:, None] * left + np.arange(left)
+                moved = np.ravel(whole[:, None] * share)
+                counted = np.bincount(cells.ravel(), moved, sizes[later] * left)
+                cross[later] -= counted.reshape(sizes[later], left)
+                for last in range(later + 1, count):
+                    moved = part * coupled[group, last]
+                    coupled[later, last] -= np.bincount(up, moved, sizes[later])
+            rest -= cross[group].T @ share
+            levels.append(Level(own[group], share, tuple(above)))
         inverse = np.asarray(np.linalg.inv(rest), np.float64)
         return cls(tuple(levels), inverse, float(np.linalg.slogdet(rest)[1]))
 
@@ -131,19 +137,17 @@ class Curvature(NamedTuple):
         """The inverse times (q,)."""
         sizes = [len(one.own) for one in self.levels]
         *parts, others = np.split(right.copy(), np.cumsum(sizes))
-        for number, one in enumerate(self.levels):
-            others -= parts[number] @ one.share
-            if one.parents is not None and one.to_parent is not None:
-                moved = parts[number] * one.to_parent
-                parts[number + 1] -= np.bincount(one.parents, moved, sizes[number + 1])
+        for group, one in enumerate(self.levels):
+            others -= parts[group] @ one.share
+            for later, (up, part) in enumerate(one.above, group + 1):
+                parts[later] -= np.bincount(up, parts[group] * part, sizes[later])
         others = self.inverse @ others
-        found: list[Floats] = []
-        for one, part in zip(self.levels[::-1], parts[::-1], strict=True):
-            solved = part / one.own - one.share @ others
-            if one.parents is not None and one.to_parent is not None:
-                solved -= one.to_parent * found[0][one.parents]
-            found.insert(0, solved)
-        return np.concatenate([*found, others])
+        for group in reversed(range(len(parts))):
+            one = self.levels[group]
+            parts[group] = parts[group] / one.own - one.share @ others
+            for later, (up, part) in enumerate(one.above, group + 1):
+                parts[group] -= part * parts[later][up]
+        return np.concatenate([*parts, others])
 
     def log_determinant(self) -> float:
         return float(sum(np.log(one.own).sum() for one in self.levels) + self.size)
@@ -158,18 +162,17 @@ class Curvature(NamedTuple):
             others[rows, at - start] += deviation
         parts = [np.full(people, deviation) for deviation in deviations[:count]]
         here = [places.local(group) for group in range(count)]
-        for number, one in enumerate(self.levels):
-            others -= parts[number][:, None] * one.share[here[number]]
-            if one.to_parent is not None:
-                parts[number + 1] -= parts[number] * one.to_parent[here[number]]
+        for group, one in enumerate(self.levels):
+            others -= parts[group][:, None] * one.share[here[group]]
+            for later, (_, part) in enumerate(one.above, group + 1):
+                parts[later] -= parts[group] * part[here[group]]
         others = others @ self.inverse
-        found: list[Floats] = []
-        for number in reversed(range(count)):
-            one, at = self.levels[number], here[number]
-            solved = parts[number] / one.own[at] - (one.share[at] * others).sum(axis=1)
-            if one.to_parent is not None:
-                solved -= one.to_parent[at] * found[0]
-            found.insert(0, solved)
+        for group in reversed(range(count)):
+            one, at = self.levels[group], here[group]
+            parts[group] = parts[group] / one.own[at]
+            parts[group] -= (one.share[at] * others).sum(axis=1)
+            for later, (_, part) in enumerate(one.above, group + 1):
+                parts[group] -= part[at] * parts[later]
         return np.array(
-            [*found, *(others[rows, at - start] for at in places.at[count:])]
+            [*parts, *(others[rows, at - start] for at in places.at[count:])]
         )

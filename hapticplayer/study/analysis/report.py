@@ -11,7 +11,6 @@ from hapticplayer import extension, storage
 from hapticplayer.errors import Message, Progress, StudyError
 from hapticplayer.study.analysis import contents, figures
 from hapticplayer.study.analysis.analysis import (
-    STATISTICS,
     Analysis,
     AnalysisOptions,
     analyse,
@@ -29,8 +28,8 @@ from hapticplayer.study.analysis.preregistered import with_registration
 from hapticplayer.study.analysis.statistic import number, p_value, rounded
 from hapticplayer.study.analysis.typesetting import page
 from hapticplayer.study.answers import Answers, simulated_mark
+from hapticplayer.study.data_table import guarded
 from hapticplayer.study.definition import TrialKind
-from hapticplayer.study.study_csv import guarded
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -152,14 +151,15 @@ def _write_text(path: Path, text: str) -> None:
 def _condition_rows(analysis: Analysis) -> Iterator[list[Any]]:
     yield ["measure", "sequence", "feedback", *Summary.__dataclass_fields__]
     for measure, one in analysis.measures.items():
-        for sequence, part in [("all", one.feedbacks), *one.conditions.items()]:
+        groups = [("all", one.feedbacks), *one.conditions.items(), *one.levels.items()]
+        for sequence, part in groups:
             for feedback, described in part.items():
                 yield [measure, sequence, feedback, *asdict(described).values()]
 
 
 def _test_rows(analysis: Analysis) -> Iterator[list[Any]]:
     yield ["test", "measure", "of", "statistic", "value"]
-    for test, statistic in STATISTICS.items():
+    for test, statistic in analysis.statistics.items():
         for measure, found in analysis.found[test].items():
             for name, part in statistic.rows(found).items():
                 for key, value in _flat(part):

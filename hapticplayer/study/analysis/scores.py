@@ -4,8 +4,8 @@ QoE of a condition is the sum of those factors that the study says. The score of
 the sequences, per participant (the paper's QoE_All, section 4.3).
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 from itertools import combinations
 from typing import Any
@@ -50,6 +50,7 @@ class Scores:
         qoe: factors that are summed.
         items: factors that are single questions with steps.
         sites: of the participants, where sessions of several were merged.
+        sequence_factors: the level of each sequence, by factor.
     """
 
     participants: tuple[str, ...]
@@ -64,6 +65,7 @@ class Scores:
     qoe: tuple[str, ...]
     items: tuple[str, ...]
     sites: tuple[str, ...] = ()
+    sequence_factors: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @property
     def measures(self) -> tuple[str, ...]:
@@ -76,6 +78,16 @@ class Scores:
         for factor, limits in zip(self.factors, self.ranges, strict=True):
             found.setdefault(limits, []).append(factor)
         return found
+
+    def limits_of(self, measure: str) -> tuple[float, float]:
+        """Least and most of a measure; of QoE, of the sum."""
+        summed = self.qoe if measure == QOE else (measure,)
+        of = [self.ranges[self.factors.index(factor)] for factor in summed]
+        return sum(low for low, _ in of), sum(high for _, high in of)
+
+    def levels_of(self, factor: str) -> tuple[str, ...]:
+        """The levels of a factor of the sequences, each once."""
+        return tuple(dict.fromkeys(self.sequence_factors[factor]))
 
     @property
     def missing(self) -> int:
@@ -111,6 +123,7 @@ class Sample:
         all_participants: codes of all participants.
         is_item: whether it is a single question with steps.
         sites: of all participants; empty if there is one.
+        sequence_factors: the level of each sequence, by factor.
     """
 
     measure: str
@@ -124,6 +137,7 @@ class Sample:
     all_participants: tuple[str, ...]
     is_item: bool = True
     sites: tuple[str, ...] = ()
+    sequence_factors: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def each_pair(
         self, compare: Callable[[list[tuple[int, int]]], list[dict[str, Any]]]
@@ -134,6 +148,24 @@ class Sample:
             return {}
         names = (f"{self.feedbacks[i]}-{self.feedbacks[j]}" for i, j in pairs)
         return dict(zip(names, compare(pairs), strict=True))
+
+    def by_level(self, factor: str) -> dict[str, Floats]:
+        """Means (P, F) over the sequences of each level, NaN where one is missing.
+
+        As `values`, they are of sequences that were answered for all feedbacks, and of
+        participants who are not excluded.
+        """
+        levels = np.array(self.sequence_factors[factor])
+        usable = _all(~np.isnan(self.by_condition))
+        usable[[code in self.dropped for code in self.all_participants]] = False
+        values = np.where(usable[:, :, None], self.by_condition, 0.0)
+        found = {}
+        for level in dict.fromkeys(levels.tolist()):
+            here = levels == level
+            counts = usable[:, here].sum(axis=1)[:, None].astype(np.float64)
+            counts[counts == 0.0] = np.nan
+            found[level] = values[:, here].sum(axis=1) / counts
+        return found
 
     def each_feedback(
         self, compute: Callable[[str, Floats], dict[str, Any]]
@@ -182,7 +214,10 @@ def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:
     counts = invalid, answers.repeated
     sites = tuple(person.site for person in answers.participants)
     sites = sites if len(set(sites)) > 1 else ()
-    return Scores(*axes, ratings, known, *counts, limits, qoe, items, sites)
+    of_sequences = answers.sequence_factors
+    return Scores(
+        *axes, ratings, known, *counts, limits, qoe, items, sites, of_sequences
+    )
 
 
 def sample_of(
@@ -212,6 +247,7 @@ def sample_of(
         all_participants=scores.participants,
         is_item=measure in scores.items,
         sites=scores.sites,
+        sequence_factors=scores.sequence_factors,
     )
 
 

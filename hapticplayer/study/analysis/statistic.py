@@ -86,6 +86,8 @@ class Statistic:
             done, and which way p was found.
         references: works that the method is from.
         key: in JSON, if it differs from the name.
+        of_factors: whether it is of factors in which sequences differ, which few studies
+            have.
     """
 
     name: str
@@ -101,6 +103,7 @@ class Statistic:
     key: str = ""
     methods: Callable[[dict[str, Any]], str] = lambda _found: ""
     references: tuple[str, ...] = ()
+    of_factors: bool = False
 
     def correct(self, found: Mapping[str, Any]) -> None:
         """Add `p_holm` to the results by measure."""

@@ -526,3 +526,24 @@ def test_a_scale_is_added_and_tells_what_is_to_be_worded(edit, tmp_path):
     changed = open_study(folder).definition.pages[3].scores[-1]
     assert changed.polynomial == (1.0, 2.0)
     assert changed.of == total.of
+
+
+def test_levels_of_sequences_are_typed_and_asked_for(edit, tmp_path, library):
+    editor = edit(create_study(tmp_path / "seen", "viewpoint").folder)
+    page = show(editor, editor.sequences)
+    page.select(("sequences", 1))
+    line = page.fields.by_place["sequences", 1, "factors"]
+    assert line.text() == "viewpoint=third"
+    typed(line, "viewpoint=third, rider=expert")
+    held = editor.document.at(("sequences", 1, "factors"))
+    assert held == {"viewpoint": "third", "rider": "expert"}
+    editor.keep()
+    assert any("rider" in one.what for one in editor.problems)  # the others lack it
+    choice = LibraryChoice(library, page)
+    choice.chosen.connect(page.add)
+    choice.list.selectAll()
+    choice.add_button.click()
+    editor.keep()
+    added = [one["factors"] for one in editor.document.value["sequences"]]
+    assert all(one == {"viewpoint": "", "rider": ""} for one in added)
+    assert all(one.is_fatal for one in editor.problems)

@@ -47,6 +47,8 @@ def test_everything_is_there(report):
     for figure in ("qoe-by-sequence", "factors-by-feedback", "effects-by-measure"):
         names |= {f"{figure}{suffix}" for suffix in (".svg", ".pdf", ".png")}
     assert {path.name for path in report.iterdir()} == names
+    numbers = json.loads((report / "numbers.json").read_text())
+    assert not {"levels", "factor_ranks"} & numbers.keys()  # no factors of sequences
 
 
 def test_a_spread_beyond_the_scale_is_drawn_whole(make_answers, quick):
