@@ -12,7 +12,7 @@ from hapticplayer.devices import find_device
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
-from hapticplayer.study.analysis.analysis import STATISTICS
+from hapticplayer.study.analysis.analysis import statistics_of
 from hapticplayer.study.analysis.blocks import Paragraph, ReportFigure, ReportTable
 from hapticplayer.study.analysis.conduct_report import identity, playback
 from hapticplayer.study.analysis.pdf import write_pdf
@@ -219,7 +219,7 @@ def test_corrections_name_their_family_and_its_size(made):
 def test_each_test_is_described_with_references_that_are_listed(made):
     text = text_of(made.blocks)
     listed = {one.text for one in made.blocks if isinstance(one, Paragraph)}
-    for name, statistic in STATISTICS.items():
+    for name, statistic in statistics_of(has_factors=False).items():
         described = statistic.methods(made.numbers[statistic.key or name])
         assert described in text
         cited = [one for one in statistic.references if one.split()[0] in described]
