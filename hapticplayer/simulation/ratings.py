@@ -24,7 +24,7 @@ from hapticplayer.study.watched import COURSE_HZ, Forces, played_forces
 from hapticplayer.study.watching import LIMIT
 
 LAG_S, LATERAL = 1.5, 0.66
-_GAIN = 0.25
+_GAIN = 0.4
 """Share of a slider's range for each newton."""
 _UNKNOWN_N = {"realistic": 0.0, "random": 1.5, "none": 1.5}
 """Mismatch where the sequences are not known, by what a feedback is rated like."""

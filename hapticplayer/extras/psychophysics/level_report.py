@@ -102,7 +102,7 @@ _OF_DIFFERENCES = (
 )
 _OF_STAIRCASES = (
     "The threshold of a staircase is the geometric mean of its last reversals (at most "
-    "eight, not the first two), about where {share:.0%} are correct. It is too large by "
+    "eight, not the first two), about where {share} % are correct. It is too large by "
     "a tenth or more where a staircase has few trials or begins far from it: the curve "
     "of all answers is the better estimate of the group. Trials that were not valid do "
     "not move a staircase."
@@ -169,7 +169,9 @@ def _findings(
     answers, rule = found.answers, found.answers.staircase
     curve = _OF_CRITERIA if answers.standard is None else _OF_DIFFERENCES
     of_staircase = (
-        () if rule is None else (_OF_STAIRCASES.format(share=converges_to(rule)),)
+        ()
+        if rule is None
+        else (_OF_STAIRCASES.format(share=f"{100.0 * converges_to(rule):.0f}"),)
     )
     return Findings(
         f"{len(found.participants)} participants; {found.missing} of "
@@ -205,13 +207,13 @@ def _methods(analysis: LevelAnalysis) -> Iterator[str]:
     if (rule := analysis.answers.staircase) is not None:
         asked += (
             f" Levels followed a {rule.correct}-down 1-up staircase (Levitt, 1971), which "
-            f"converges to {converges_to(rule):.1%} correct; thresholds are means of "
+            f"converges to {100.0 * converges_to(rule):.1f} % correct; thresholds are means of "
             "reversals (Wetherill and Levitt, 1965)."
         )
     yield (
         f"{asked} {invalid_text(analysis.options)} Shares of answers have Wilson intervals "
         f"(Wilson, 1927). {curve} and a lapse rate of at most "
-        f"{MOST_LAPSES:.0%} (Wichmann and Hill, 2001) were fitted by maximum likelihood; "
+        f"{100.0 * MOST_LAPSES:.0f} % (Wichmann and Hill, 2001) were fitted by maximum likelihood; "
         f"intervals (95 %) are percentile bootstrap intervals of {resamples} resamples of "
         "the participants (Efron and Tibshirani, 1993; none where all resamples agree). "
         f"The fit was tested by its deviance among {resamples} simulated ones. "
@@ -242,7 +244,8 @@ def _results(
     for axis, one in found.axes.items():
         yield from _axis_blocks(found, axis, one)
     if found.mixed:
-        yield _share_table("Delay and gain changed together", found.mixed)
+        title = "Delay and gain changed together"
+        yield _share_table(title, words_of(found).key, found.mixed)
 
 
 def _staircase_blocks(
@@ -303,14 +306,15 @@ def _axis_blocks(
         _curve_row(k, c, words.values) for k, c in one.curves.items() if c is not None
     )
     yield ReportTable(
-        f"Curves by {name}",
+        f"Curves by {LABELS[axis]}",
         ("sequence", *(h for v in words.values for h in (v, "95 % CI")), "lapse", "p"),
         rows,
         "CI: confidence interval, by bootstrap; -: all resamples agree (at a bound of "
         "the fit). p: of the deviance from the curve.",
     )
     for sequence, parts in one.shares.items():
-        yield _share_table(f"{words.share.capitalize()} by {name}, {sequence}", parts)
+        title = f"{words.share.capitalize()} by {name}, {sequence}"
+        yield _share_table(title, words.key, parts)
 
 
 def tables(analysis: LevelAnalysis) -> dict[str, list[list[Any]]]:
@@ -382,7 +386,7 @@ def _curve_warnings(axis: AxisAnalysis, curve: Curve | None) -> Iterator[str]:
         )
     if values.get("peak", 1.0) < _LOW_PEAK:
         yield (
-            f"even at its centre only {values['peak']:.0%} of the answers are yes; at "
+            f"even at its centre only {100.0 * values['peak']:.0f} % of the answers are yes; at "
             "the criteria it is less than half."
         )
     if values["lapse"] > 0.99 * MOST_LAPSES:
@@ -422,7 +426,7 @@ def _curve_row(name: str, curve: Curve, values: Sequence[str]) -> tuple[str, ...
     return name, *cells, number(curve.values["lapse"]), p_value(curve.p_fit)
 
 
-def _share_table(title: str, shares: tuple[Share, ...]) -> ReportTable:
+def _share_table(title: str, counted: str, shares: tuple[Share, ...]) -> ReportTable:
     rows = tuple(
         (
             number(one.delay_s, 3),
@@ -433,7 +437,7 @@ def _share_table(title: str, shares: tuple[Share, ...]) -> ReportTable:
         )
         for one in shares
     )
-    return ReportTable(title, ("delay, s", "gain", "yes", "share", "95 % CI"), rows)
+    return ReportTable(title, ("delay, s", "gain", counted, "share", "95 % CI"), rows)
 
 
 def _share_row(sequence: str, one: Share) -> list[Any]:

@@ -63,10 +63,12 @@ ReportBlock = Heading | Paragraph | ReportTable | ReportFigure
 
 
 def numbered(blocks: Iterable[ReportBlock]) -> Iterator[ReportBlock]:
-    """Yield the parts with "Table N." and "Figure N." before captions."""
+    """Yield the parts with "Table N." and "Figure N." before captions; no empty table."""
     tables = figures = 0
     for block in blocks:
         if isinstance(block, ReportTable):
+            if not block.rows:
+                continue
             tables += 1
             yield replace(block, title=f"Table {tables}. {block.title}")
         elif isinstance(block, ReportFigure):

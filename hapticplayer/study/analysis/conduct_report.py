@@ -126,10 +126,16 @@ def order_balance(answers: Answers) -> Iterator[ReportBlock]:
     position, after = conduct.at_position, conduct.followed
     yield Paragraph(
         f"Orders were {ORDERS.get(conduct.order_method, conduct.order_method)}. "
-        f"Each condition was played {position[0]} to {position[1]} times at each "
-        f"position, and {after[0]} to {after[1]} times directly after each other one."
+        f"Each condition was played {_often(*position)} at each position, and "
+        f"{_often(*after)} directly after each other one."
         f"{_positions(conduct.mean_positions)}"
     )
+
+
+def _often(least: int, most: int) -> str:
+    if least < most:
+        return f"{least} to {most} times"
+    return {0: "never", 1: "once"}.get(most, f"{most} times")
 
 
 def _positions(means: Mapping[str, float]) -> str:
@@ -158,19 +164,26 @@ def playback(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock
         )
     else:
         yield Paragraph("Times to answer were not recorded.")
-    heads = ("trials", "repeated", "not valid", "frames dropped", "silence, s")
-    rows = tuple((name, *_quality(group)) for name, group in groups.items())
-    yield ReportTable(
+    yield _quality_table(groups)
+    yield from _faults(trials)
+
+
+def _quality_table(groups: Mapping[str, Sequence[AnsweredPlayback]]) -> ReportTable:
+    """How well the clips were played, as far as that was recorded."""
+    heads = ("feedback", "trials", "repeated", "not valid")
+    played = ("frames dropped", "silence, s", "missed periods", *SYNC.values())
+    is_recorded = any(one.figures for one in groups[ALL])
+    columns = len(heads) - 1 + len(played) * is_recorded
+    return ReportTable(
         "Quality of the playback of answered trials",
-        ("feedback", *heads, "missed periods", *SYNC.values()),
-        rows,
+        (*heads, *(played if is_recorded else ())),
+        tuple((name, *_quality(group)[:columns]) for name, group in groups.items()),
         "Differences between force and video or sound: median of the trials' medians, "
         "smallest 5 % and largest 95 % quantile of a trial; positive where the force "
         "came later. Missed periods are those of the 1 kHz haptic loop."
-        if any(one.figures for one in trials)
+        if is_recorded
         else "The playback was not recorded.",
     )
-    yield from _faults(trials)
 
 
 def _faults(trials: Sequence[AnsweredPlayback]) -> Iterator[ReportBlock]:

@@ -45,6 +45,7 @@ from hapticplayer.study.analysis.statistic import (
     Statistic,
     counted,
     interval,
+    listed,
     number,
 )
 from hapticplayer.study.analysis.trial_force_report import trial_force_blocks
@@ -81,13 +82,13 @@ def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
         yield Paragraph(text)
     described = () if is_empty else tuple(methods(analysis))
     yield from described
-    if not is_empty:
-        yield from _results(analysis)
+    results = () if is_empty else tuple(_results(analysis))
+    yield from results
     yield from playback(analysis.answers, analysis.scores.feedbacks)
     yield from trial_force_blocks(analysis.answers, analysis.scores.feedbacks)
     if not is_empty:
         yield from _assumptions(analysis)
-        yield from references(works(analysis), described)
+        yield from references(works(analysis), (*described, *results))
     yield from reproducibility(analysis.options)
 
 
@@ -97,8 +98,7 @@ def _results(analysis: Analysis) -> Iterator[ReportBlock]:
     yield from _means(analysis)
     yield Heading("Tests")
     of_all = analysis.statistics.items()
-    tables = [_table(one, analysis.found[name]) for name, one in of_all]
-    yield from (table for table in tables if table.rows)
+    yield from (_table(one, analysis.found[name]) for name, one in of_all)
     yield from course_blocks(analysis.answers, analysis.first_order)
 
 
@@ -158,7 +158,7 @@ def _figures(analysis: Analysis) -> Iterator[ReportBlock]:
     for limits, factors in analysis.scores.by_range().items():
         yield ReportFigure(
             factors_figure(analysis.scores, limits),
-            f"Factors by feedback, means over the sequences. {shown}",
+            f"{listed(factors)} by feedback, means over the sequences. {shown}",
             _described({name: measures[name].feedbacks for name in factors}),
         )
     if effects := known_effects(analysis.found):

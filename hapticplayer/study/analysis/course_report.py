@@ -15,7 +15,12 @@ from hapticplayer.study.analysis.blocks import (
     ReportTable,
 )
 from hapticplayer.study.analysis.describing import TAILS
-from hapticplayer.study.analysis.figures import DARK, SIZE_IN, settings
+from hapticplayer.study.analysis.figures import (
+    DARK,
+    SIZE_IN,
+    columns_of,
+    settings,
+)
 from hapticplayer.study.analysis.scores import shown_at
 from hapticplayer.study.analysis.statistic import interval, number
 from hapticplayer.study.answers import Answers
@@ -33,7 +38,7 @@ _LEAST_SPAN = 0.2
 _SHOWN_MOST = 8
 """Feedbacks in a figure; more would hide each other."""
 _KEY_TEXT = (
-    "Share of the participants who hold the key; onset: media time of the first press, the "
+    "Share of the participants who hold the key, with the interval of Wilson (1927); onset: media time of the first press, the "
     "end of the clip where there was none; held_s: time in which it was held."
 )
 _MODEL = (
@@ -80,6 +85,20 @@ def mean_with_band(values: Floats) -> tuple[Floats, Floats, Floats]:
     return mean, mean - reach, mean + reach
 
 
+def course_with_band(course: Course) -> tuple[Floats, Floats, Floats]:
+    """The mean with its band; of a held key the share with the interval of Wilson."""
+    mean, low, high = mean_with_band(course.values)
+    if course.rating.kind is not RatingKind.HELD_KEY:
+        return mean, low, high
+    count = (~np.isnan(course.values)).sum(axis=0)
+    z = float(scipy.stats.norm.ppf(TAILS[1]))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        middle = (mean + z**2 / (2.0 * count)) / (1.0 + z**2 / count)
+        spread = np.sqrt(mean * (1.0 - mean) / count + (z / (2.0 * count)) ** 2)
+        reach = z * spread / (1.0 + z**2 / count)
+    return mean, middle - reach, middle + reach
+
+
 def course_blocks(
     answers: Answers, models: Mapping[str, Model]
 ) -> Iterator[ReportBlock]:
@@ -97,11 +116,12 @@ def course_blocks(
     for name, courses in _by_figure(answers).items():
         rating, sequence = courses[0].rating, courses[0].condition.sequence
         has_force = any(one.force_n is not None for one in courses)
+        is_key = rating.kind is RatingKind.HELD_KEY
+        what = "share who hold the key" if is_key else "mean of the participants"
         beside = "; below, size of the force that was played" if has_force else ""
         yield ReportFigure(
             name,
-            f"{rating.key} while {sequence} played: mean of the participants with its 95 % "
-            f"interval{beside}.",
+            f"{rating.key} while {sequence} played: {what} with its 95 % interval{beside}.",
             _described(courses),
         )
     rows = tuple(_model_row(*one) for one in models.items())
@@ -144,7 +164,7 @@ def course_rows(answers: Answers) -> Iterator[list[Any]]:
         of = [one.rating.key, one.condition.sequence, one.condition.feedback]
         count = (~np.isnan(one.values)).sum(axis=0)
         force_n = one.force_n if one.force_n is not None else [[None] * 3] * len(count)
-        columns = (one.time_s, count, *mean_with_band(one.values), force_n)
+        columns = (one.time_s, count, *course_with_band(one), force_n)
         for time_s, people, *values, force in zip(*columns, strict=True):
             numbers = [None if np.isnan(value) else float(value) for value in values]
             forces = [None if value is None else float(value) for value in force]
@@ -173,7 +193,7 @@ def _drawn(courses: Sequence[Course]) -> "Figure":
         for place, one in enumerate(courses[:_SHOWN_MOST]):
             style = {"color": DARK[place % len(DARK)]}
             style["linestyle"] = _DASHES[place % len(_DASHES)]
-            mean, low, high = mean_with_band(one.values)
+            mean, low, high = course_with_band(one)
             label = one.condition.feedback
             panels[0].plot(one.time_s, mean, label=label, linewidth=1.4, **style)
             panels[0].fill_between(
@@ -189,8 +209,9 @@ def _drawn(courses: Sequence[Course]) -> "Figure":
         if has_force:
             panels[1].set_ylabel("force, N")
             panels[1].set_ylim(bottom=0.0)
+        labels = [one.condition.feedback for one in courses[:_SHOWN_MOST]]
         figure.legend(
-            loc="outside upper center", ncols=min(len(courses), 5), frameon=False
+            loc="outside upper center", ncols=columns_of(labels), frameon=False
         )
     return figure
 
@@ -209,7 +230,7 @@ def _limits(courses: Sequence[Course]) -> tuple[float, float]:
     least, most = (
         (0.0, 1.0) if is_key else (float(rating.least or 0), float(rating.most or 0))
     )
-    shown = np.concatenate([np.ravel(mean_with_band(one.values)) for one in courses])
+    shown = np.concatenate([np.ravel(course_with_band(one)) for one in courses])
     shown = np.clip(shown[np.isfinite(shown)], least, most)
     low, high = (
         (shown.min(), shown.max()) if len(shown) and not is_key else (least, most)

@@ -6,7 +6,7 @@ The same analysis gives the same bytes: fixed ids in SVG, no dates.
 import io
 import textwrap
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -41,6 +41,7 @@ _GROUP = 0.84  # share of the space between two groups
 _ASIDE = 0.18  # share of a bar by which error bars and lines are moved apart
 _MARK_PT, _MARK_ACROSS_PT = 30.0, 800.0  # size, and sum of a mark's characters
 _LETTERS, _LEAST_LETTERS = 95, 6  # of the names of all groups, side by side
+_SIGN_LETTERS = 8  # a sign in a legend with the gaps around it
 _SETTINGS: dict[Any, Any] = {
     "svg.hashsalt": "hapticplayer",
     "svg.fonttype": "none",
@@ -134,11 +135,14 @@ def effects_by_measure(effects: dict[str, dict[str, Any]]) -> "Figure":
         is_wide = any(len(word) > width for name in effects for word in name.split())
         turned: dict[str, Any] = {"rotation": 30.0, "ha": "right"} if is_wide else {}
         names = [
-            textwrap.fill(name, _LETTERS if is_wide else width) for name in effects
+            textwrap.fill(
+                "QoE" if name == QOE else name, _LETTERS if is_wide else width
+            )
+            for name in effects
         ]
         panel.set_xticks(range(len(effects)), names, **turned)
         figure.legend(
-            loc="outside upper center", ncols=min(len(pairs), 5), frameon=False
+            loc="outside upper center", ncols=columns_of(pairs), frameon=False
         )
     return figure
 
@@ -282,6 +286,12 @@ def _draw_legend(figure: "Figure", feedbacks: tuple[str, ...]) -> None:
     figure.legend(
         handles=marks,
         loc="outside upper center",
-        ncols=min(len(marks), 5),
+        ncols=columns_of([str(one.get_label()) for one in marks]),
         frameon=False,
     )
+
+
+def columns_of(labels: Sequence[str]) -> int:
+    """How many labels fit side by side above a figure."""
+    width = _SIGN_LETTERS + max(map(len, labels))
+    return max(1, min(len(labels), _LETTERS // width))

@@ -4,7 +4,11 @@ from collections.abc import Iterable, Iterator
 
 from hapticplayer.study.analysis.analysis import Analysis, AnalysisOptions
 from hapticplayer.study.analysis.blocks import Heading, Paragraph, ReportBlock
-from hapticplayer.study.analysis.references import EFRON_1993, HOLM_1979
+from hapticplayer.study.analysis.references import (
+    EFRON_1993,
+    HOLM_1979,
+    WILSON_1927,
+)
 from hapticplayer.study.analysis.scores import MissingPolicy, Scores
 from hapticplayer.study.analysis.statistic import listed
 
@@ -109,6 +113,6 @@ def references(
 
 def works(analysis: Analysis) -> Iterator[str]:
     """Yield the works that methods of analyses of ratings are from."""
-    yield from (EFRON_1993, HOLM_1979)
+    yield from (EFRON_1993, HOLM_1979, WILSON_1927)
     for statistic in analysis.statistics.values():
         yield from statistic.references

@@ -53,6 +53,7 @@ _MOST_CUTS = 4
 _NORMAL_95 = float(scipy.stats.norm.isf(0.025))
 FAR = 12.0
 """A latent shift beyond this is no estimate: all answers lie at an end."""
+_FAR_ODDS = math.log(100.0)
 _LEAST_PEOPLE = 3
 _CELLS = "participant x feedback"
 
@@ -237,7 +238,10 @@ def _methods(_found: dict[str, Any]) -> str:
 
 
 def _odds(value: float | None) -> str:
-    return number(None if value is None else math.exp(value))
+    """An odds ratio; one far from 1 is hardly known."""
+    if value is None or abs(value) <= _FAR_ODDS:
+        return number(None if value is None else math.exp(value))
+    return "> 100" if value > 0.0 else "< 0.01"
 
 
 def _count(value: int | None) -> str:

@@ -274,25 +274,33 @@ def _rows(found: Found | None) -> Found:
     return found or {}
 
 
-def _ranks_methods(_found: Mapping[str, Any]) -> str:
+def _names(found: Mapping[str, Any]) -> str:
+    """The factors that were analysed, in words."""
+    mark = interaction_of("")
+    parts = (name for one in found.values() for name in one or ())
+    ends = (name.removesuffix(mark) for name in parts if name.endswith(mark))
+    return listed(list(dict.fromkeys(ends)))
+
+
+def _ranks_methods(found: Mapping[str, Any]) -> str:
     return (
-        "Factors in which sequences differ were analysed with the feedback by the aligned "
-        "rank transform (Wobbrock et al., 2011) of each participant's means over the sequences "
-        "of a level, as sequences and feedbacks were."
+        f"The sequences' {_names(found)} and the feedback were analysed by the aligned rank transform (Wobbrock "
+        "et al., 2011) of each participant's means over the sequences of a level, as "
+        "sequences and feedbacks were."
     )
 
 
 def _pairs_methods(_found: Mapping[str, Any]) -> str:
     return (
-        "Levels of such a factor were compared by the signed-rank test (Wilcoxon, 1945), over all "
+        "Levels of these factors were compared by the signed-rank test (Wilcoxon, 1945), over all "
         "feedbacks; and so was, at two levels, each difference between two feedbacks."
     )
 
 
-def _mixed_methods(_found: Mapping[str, Any]) -> str:
+def _mixed_methods(found: Mapping[str, Any]) -> str:
     return (
-        "In a cumulative-link mixed model (logit link; Christensen, 2019) feedback, factor and "
-        "their interaction were fixed effects. Random intercepts were of participants, "
+        "In a cumulative-link mixed model (logit link; Christensen, 2019) feedback, "
+        f"{_names(found)} and their interaction were fixed effects. Random intercepts were of participants, "
         "of participants with each feedback, of participants with each feedback at each level, of "
         "sequences, and of sites if there are several; for the factor itself those of participants with each "
         "level took the place of those with each feedback. Factor and interaction "

@@ -18,8 +18,8 @@ Found = dict[str, Any]
 
 
 def number(value: float | None, digits: int = 2) -> str:
-    """Return a number as text; None is a dash."""
-    return "-" if value is None else f"{value:.{digits}f}"
+    """Return a number as text; None is a dash, and zero has no sign."""
+    return "-" if value is None else f"{round(value, digits) + 0.0:.{digits}f}"
 
 
 def p_value(value: float | None) -> str:
@@ -37,7 +37,7 @@ def degrees(value: Sequence[float] | None) -> str:
 
 def interval(value: Sequence[float] | None) -> str:
     """Return an interval as text; None is a dash."""
-    return "-" if value is None else f"[{value[0]:.2f}, {value[1]:.2f}]"
+    return "-" if value is None else f"[{number(value[0])}, {number(value[1])}]"
 
 
 class ReportColumn(NamedTuple):
@@ -123,7 +123,7 @@ class Statistic:
             for family in self._families(found)
         }
         tests = " or ".join(str(size) for size in sorted(sizes - {0}))
-        if not tests:
+        if tests in ("", "1"):  # nothing to correct
             return ""
         return f"the {tests} tests of {self.holm.over}"
 

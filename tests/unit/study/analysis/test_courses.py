@@ -9,7 +9,11 @@ import pytest
 from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
-from hapticplayer.study.analysis.course_report import course_figures, mean_with_band
+from hapticplayer.study.analysis.course_report import (
+    course_figures,
+    course_with_band,
+    mean_with_band,
+)
 from hapticplayer.study.analysis.describing import Resampling
 from hapticplayer.study.analysis.first_order import first_order_models, low_pass
 from hapticplayer.study.analysis.report import analyse_study
@@ -70,6 +74,17 @@ def test_the_band_is_the_interval_of_the_mean():
     assert high[0] - mean[0] == pytest.approx(4.3027 * 2.0 / np.sqrt(3.0), rel=1e-4)
     assert low[1] == high[1] == 2.0
     assert np.isnan(low[2])
+
+
+def test_the_band_of_a_share_is_wilsons():
+    """Of 0, 6 and 12 of 12: it neither vanishes nor leaves 0 to 1."""
+    key = LiveRating("moving", RatingKind.HELD_KEY, {"en": "moving"}, hold="v")
+    values = (np.arange(12)[:, None] < [0, 6, 12]).astype(float)
+    of = key, Condition("bike", "none"), np.arange(3.0), values, None, None
+    mean, low, high = course_with_band(Course(*of))
+    assert mean.tolist() == [0.0, 0.5, 1.0]
+    np.testing.assert_allclose(low, [0.0, 0.2538, 0.7575], atol=1e-4)
+    np.testing.assert_allclose(high, [0.2425, 0.7462, 1.0], atol=1e-4)
 
 
 def written(study, clock, people=7, seconds=20.0):

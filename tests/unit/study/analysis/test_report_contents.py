@@ -13,10 +13,20 @@ from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
 from hapticplayer.study.analysis.analysis import statistics_of
-from hapticplayer.study.analysis.blocks import Paragraph, ReportFigure, ReportTable
-from hapticplayer.study.analysis.conduct_report import identity, playback
+from hapticplayer.study.analysis.blocks import (
+    Paragraph,
+    ReportFigure,
+    ReportTable,
+    numbered,
+)
+from hapticplayer.study.analysis.conduct_report import (
+    identity,
+    order_balance,
+    playback,
+)
 from hapticplayer.study.analysis.pdf import write_pdf
 from hapticplayer.study.analysis.report import parts_of, write_report
+from hapticplayer.study.analysis.statistic import interval, number
 from hapticplayer.study.answers import Participant, collect_answers
 from hapticplayer.study.conduct import AnsweredPlayback, Conduct
 from hapticplayer.study.creation import create_study
@@ -149,6 +159,15 @@ def test_the_report_says_how_balanced_orders_were(made):
     assert "0 to 3 times directly after" in text
 
 
+@pytest.mark.parametrize(
+    ("position", "words"), [((1, 1), "played once"), ((3, 3), "played 3 times")]
+)
+def test_counts_that_are_alike_are_told_once(answers, position, words):
+    conduct = replace(answers.conduct, at_position=position, followed=(0, 0))
+    text = text_of(list(order_balance(replace(answers, conduct=conduct))))
+    assert f"{words} at each position, and never directly after" in text
+
+
 def test_the_report_has_times_and_quality_of_playback(made):
     times = {row[0]: row[1:] for row in table(made.blocks, "Time from").rows}
     assert times["none"] == ("2", "12.0", "[11.0, 13.0]", "[10.0, 14.0]")
@@ -182,6 +201,29 @@ def test_damaged_figures_of_a_playback_are_left_out(answers):
     blocks = playback(replace(answers, conduct=conduct), ["none"])
     found = next(one for one in blocks if isinstance(one, ReportTable))
     assert found.rows[0] == ("none", "1", "0", "0", "-", "0.50", "-", "-", "-")
+
+
+def test_a_playback_without_figures_has_no_columns_of_them(answers):
+    trial = AnsweredPlayback("none", 1, True, 2.0)
+    conduct = replace(answers.conduct, playbacks=(trial,))
+    blocks = list(playback(replace(answers, conduct=conduct), ["none"]))
+    quality = next(one for one in blocks if "Quality" in getattr(one, "title", ""))
+    assert quality.head == ("feedback", "trials", "repeated", "not valid")
+    assert quality.rows[0] == ("none", "1", "0", "0")
+
+
+def test_tables_without_rows_are_left_out():
+    empty = ReportTable("Nothing", ("of",), ())
+    (shown,) = numbered([empty, replace(empty, title="More", rows=(("a",),))])
+    assert shown.title == "Table 1. More"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(-0.001, "0.00"), (-0.006, "-0.01"), (2.0, "2.00")]
+)
+def test_a_zero_has_no_sign(value, text):
+    assert number(value) == text
+    assert interval((value, 1.0)) == f"[{text}, 1.00]"
 
 
 def test_tables_and_figures_are_numbered(made):
