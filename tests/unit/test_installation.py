@@ -10,6 +10,8 @@ import pytest
 from hapticplayer import installation, shipped
 from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import probe
+from hapticplayer.playback.snippet import pats_sound
+from hapticplayer.playback.sound_ring import RATE_HZ
 from hapticplayer.sequence.packed import read_packed
 
 ROOT = shipped.ROOT
@@ -85,7 +87,7 @@ def test_work_without_its_extra_is_refused_with_the_command(monkeypatch) -> None
 
 
 def test_the_demo_is_small_and_moves_in_three_ways() -> None:
-    """A rough road, bends and a hard stop, each where the film shows it."""
+    """Cobbles, bends and a hard stop, each where the film shows it."""
     packed = read_packed(shipped.DEMO)
     assert shipped.DEMO.stat().st_size < 5_000_000
     assert packed is not None
@@ -93,10 +95,20 @@ def test_the_demo_is_small_and_moves_in_three_ways() -> None:
     assert probe(packed.sequence.clip).duration_s == pytest.approx(30.0, abs=0.1)
     motion = packed.sequence.motion
     right, front, up = motion.acceleration_mps2.T
-    rough, bend, stop = (
+    cobbles, bend, stop = (
         (motion.time_s > begin_s) & (motion.time_s < end_s)
         for begin_s, end_s in ((10.0, 15.0), (17.8, 24.0), (26.3, 28.5))
     )
-    assert np.std(up[rough]) > 2.0
+    assert np.std(up[cobbles]) > 2.0
     assert np.abs(right[bend]).max() > 4.0
     assert front[stop].min() < -6.0
+    w, x, y, z = motion.quaternion_wxyz.T
+    tilt_deg = np.degrees(np.arcsin(2.0 * (y * z + w * x)))  # of the camera, up
+    nod_degps = np.gradient(tilt_deg, motion.time_s)
+    assert np.std(nod_degps[cobbles]) > 2.0 * np.std(nod_degps[bend])
+
+
+def test_the_demo_is_louder_on_cobbles() -> None:
+    heard = pats_sound(shipped.DEMO, 10.0, 17.0, ())[:, 0]
+    cobbles, asphalt = heard[: 5 * RATE_HZ], heard[round(5.6 * RATE_HZ) :]
+    assert np.std(cobbles) > 1.5 * np.std(asphalt)

@@ -46,6 +46,8 @@ class Scene:
             reaches so far back, and 0.5 s beyond.
         tail_s: how long it ran after the last one.
         stairs_m: distances along the route at which a stair's risers stand.
+        cobbles_s: when the front wheel comes to cobbles, and leaves them.
+        stones: time and strength (0 to 1) of the cobbles to be heard.
     """
 
     name: str
@@ -65,6 +67,8 @@ class Scene:
     lead_s: float = 0.0
     tail_s: float = 0.0
     stairs_m: tuple[float, ...] = ()
+    cobbles_s: tuple[float, float] | None = None
+    stones: tuple[tuple[float, float], ...] = ()
 
 
 def demo(rng: np.random.Generator) -> Scene:
@@ -78,7 +82,7 @@ def demo(rng: np.random.Generator) -> Scene:
 
 
 def tour(rng: np.random.Generator) -> Scene:
-    """The demo that ships: bends, kerbs, a rough road and a hard stop in half a minute."""
+    """The demo that ships: bends, kerbs, cobbles and a hard stop in half a minute."""
     time_s = _times(30.0)
     speed = _steps(
         time_s, (1.0, 3.0, 5.0), (15.2, 2.0, -1.2), (17.6, 2.6, 2.7), (26.3, 1.9, -6.5)
@@ -87,9 +91,8 @@ def tour(rng: np.random.Generator) -> Scene:
         _steps(time_s, (4.2, 2.6, 70.0), (17.8, 2.8, -80.0), (20.9, 2.6, 60.0))
     )
     bumps = (Bump(7.80, 0.045), Bump(8.50, -0.045), Bump(24.6, 0.05), Bump(25.3, -0.05))
-    rough = _steps(time_s, (9.6, 0.5, 2.2), (15.0, 0.5, -2.2))
-    title = "Bicycle: bends, kerbs, a rough road, a hard stop"
-    ride = _Ride(time_s, speed, yaw, bumps, 1.0 + rough)
+    title = "Bicycle: bends, kerbs, cobbles, a hard stop"
+    ride = _Ride(time_s, speed, yaw, bumps, cobbles_s=(9.8, 15.0))
     return _bicycle("tour", title, ride, rng)
 
 
@@ -121,6 +124,8 @@ def _bicycle(name: str, title: str, ride: "_Ride", rng: np.random.Generator) -> 
         route_m=route_m,
         route_time_s=time_s,
         speed_mps=speed,
+        cobbles_s=ride.cobbles_s,
+        stones=ride.stones(rng),
     )
 
 
@@ -131,6 +136,12 @@ _LOOK_DOWN_RAD = np.radians(-4.0)
 _LEAN_SHARE = 0.6  # rider and camera lean less than the bicycle
 _CADENCE_HZ = 1.15
 _ROUGHNESS_WAVES = 28
+_COBBLES_ROUGHNESS = 3.2  # of asphalt's
+_STONE_WAVES, _STONES_M = 12, (0.18, 0.45)
+_STONE_AMPLITUDE_M = 6e-5  # of waves of 0.3 m, after the tyre
+_STONE_EVERY_M = 0.22
+_NOD_RAD_PER_MPS2 = 0.003
+_EDGE_S = 0.3  # in which both wheels come onto the cobbles
 
 
 class _Ride:
@@ -142,11 +153,14 @@ class _Ride:
         speed: Floats,
         yaw: Floats,
         bumps: tuple[Bump, ...],
-        roughness: Floats | float = 1.0,
+        cobbles_s: tuple[float, float] | None = None,
     ) -> None:
         self.time_s, self.speed, self.yaw, self.bumps = time_s, speed, yaw, bumps
         self._travel_m = integral(speed, 1.0 / _DESIGN_HZ)
-        self._roughness = roughness  # of the road, asphalt is 1
+        self.cobbles_s = cobbles_s
+        first_s, last_s = cobbles_s or (np.inf, np.inf)
+        steps = (first_s, _EDGE_S, 1.0), (last_s, _EDGE_S, -1.0)
+        self._on_cobbles = _steps(time_s, *steps) if cobbles_s else np.zeros(1)
 
     def camera(
         self, route_m: Floats, rng: np.random.Generator
@@ -155,7 +169,7 @@ class _Ride:
         front_m, rear_m = self._wheels(rng)
         lift_m = _FRONT_SHARE * front_m + (1.0 - _FRONT_SHARE) * rear_m
         slope = (front_m - rear_m) / _WHEELBASE_M
-        pitch = _LOOK_DOWN_RAD + 0.5 * slope + self._nod()
+        pitch = _LOOK_DOWN_RAD + 0.5 * slope + self._nod() + self._shaken(front_m)
         roll = self._lean() + self._sway()
         right = np.stack([np.cos(self.yaw), np.sin(self.yaw)], axis=1)
         aside_m = _CAMERA_HEIGHT_M * np.sin(roll)
@@ -170,23 +184,48 @@ class _Ride:
             hits += [(bump.time_s, 1.0), (self._rear_time_s(bump), 0.6)]
         return tuple(sorted(hits))
 
+    def stones(self, rng: np.random.Generator) -> tuple[tuple[float, float], ...]:
+        """Return when a wheel meets which cobbles, and how loud it is."""
+        if self.cobbles_s is None:
+            return ()
+        first_m, last_m = np.interp(self.cobbles_s, self.time_s, self._travel_m)
+        stones_m = np.arange(first_m, last_m, _STONE_EVERY_M)
+        stones_m += rng.uniform(-0.3, 0.3, len(stones_m)) * _STONE_EVERY_M
+        times_s = np.interp(stones_m, self._travel_m, self.time_s)
+        strengths = rng.uniform(0.3, 1.0, len(stones_m))
+        return tuple(zip(times_s.tolist(), strengths.tolist(), strict=True))
+
+    def _shaken(self, front_m: Floats) -> Floats:
+        """Return how the handlebar nods on cobbles: a fork of 5 Hz, rad."""
+        if self.cobbles_s is None:
+            return np.zeros(1)
+        upward = np.gradient(np.gradient(front_m, self.time_s), self.time_s)
+        drive = _NOD_RAD_PER_MPS2 * self._on_cobbles * upward
+        return _oscillator(drive, frequency_hz=5.0, damping=0.3)
+
     def _rear_time_s(self, bump: Bump) -> float:
         """Return when the rear wheel has come to the edge."""
         at_m = np.interp(bump.time_s, self.time_s, self._travel_m) + _WHEELBASE_M
         return float(np.interp(at_m, self._travel_m, self.time_s))
 
     def _wheels(self, rng: np.random.Generator) -> tuple[Floats, Floats]:
-        """Return the heights of both wheels: rough asphalt and the edges."""
+        """Return the heights of both wheels: asphalt, cobbles and the edges."""
         length_m = np.geomspace(0.5, 7.0, _ROUGHNESS_WAVES)
         phase = rng.uniform(0.0, 2.0 * np.pi, _ROUGHNESS_WAVES)
         # displacement spectrum of a road falls with the square of the wave number
         # (ISO 8608); the amplitude gives about 1 m/s2 RMS at 5 m/s
         amplitude_m = 3.2e-4 * length_m * rng.uniform(0.6, 1.4, _ROUGHNESS_WAVES)
+        roughness = 1.0 + (_COBBLES_ROUGHNESS - 1.0) * self._on_cobbles
+        stone_m = np.geomspace(*_STONES_M, _STONE_WAVES)
         wheels = []
         for behind_m in (0.0, _WHEELBASE_M):
             at_m = self._travel_m[:, None] - behind_m
             waves = np.sin(2.0 * np.pi * at_m / length_m + phase)
-            wheels.append(self._roughness * (waves @ amplitude_m))
+            wheels.append(roughness * (waves @ amplitude_m))
+            if self.cobbles_s is not None:
+                stones = np.sin(2.0 * np.pi * at_m / stone_m + phase[:_STONE_WAVES])
+                stones_m = stones @ (_STONE_AMPLITUDE_M * (stone_m / 0.3) ** 2)
+                wheels[-1] = wheels[-1] + self._on_cobbles * stones_m
         for bump in self.bumps:
             wheels[0] = wheels[0] + self._edge(bump.time_s, bump.height_m)
             wheels[1] = wheels[1] + self._edge(self._rear_time_s(bump), bump.height_m)

@@ -28,6 +28,7 @@ Grid = NDArray[np.float32]
 _COARSE_M = 0.5
 _ROUTE_STEP_M = 0.25
 _SAME_ROAD_M, _LAP_M = 0.6, 8.0
+_STONE_M = 0.22  # as the wheels meet them
 _BEYOND_M = 130.0
 """The road goes straight on before the start and after the stop."""
 
@@ -76,6 +77,10 @@ class Route:
             for b in scene.bumps
         ]
         self.paved_m = list(zip(hits_m[::2], hits_m[1::2], strict=False))
+        self.cobbles_m: list[float] = []
+        if scene.cobbles_s is not None:
+            at_m = np.interp(scene.cobbles_s, scene.route_time_s, travelled_m)
+            self.cobbles_m = (at_m + 0.45).tolist()
 
     def _keep_first_laps(self) -> None:
         """Forget where the road runs over itself again: its lines would not meet."""
@@ -215,8 +220,15 @@ class Country:
                 _blend(
                     rgb, np.add.outer(4.0 * fine, rgb_of(232.0, 228.0, 216.0)), stone
                 )
+        marks = 0.92 * _marks(along, aside, road_half_m, softness) * look.is_marked
+        if self._route.cobbles_m:
+            start_m, end_m = self._route.cobbles_m
+            cover = _inside(np.abs(along - 0.5 * (start_m + end_m)),
+                            0.5 * (end_m - start_m), softness)  # fmt: skip
+            marks *= 1.0 - cover
+            cover *= _inside(np.abs(aside), road_half_m, softness)
+            _blend(rgb, _cobbles(along, aside, fine, pixel_m), cover)
         if look.is_marked:
-            marks = 0.92 * _marks(along, aside, road_half_m, softness)
             _blend(rgb, rgb_of(236.0, 234.0, 226.0), marks)
         self._shade(rgb, east, north)
         return rgb
@@ -267,6 +279,22 @@ def _paving(along: Rgb, aside: Rgb, fine: Rgb) -> Rgb:
     return np.asarray(
         np.add.outer(9.0 * stones + 6.0 * fine, rgb_of(152.0, 108.0, 88.0))
     )
+
+
+def _cobbles(along: Rgb, aside: Rgb, fine: Rgb, pixel_m: float) -> Rgb:
+    """Return granite stones, each of its own grey, in rows with dark joints."""
+    row = np.floor(along / _STONE_M)
+    across = aside / _STONE_M + 0.5 * (row % 2.0)
+    column = np.floor(across)
+    # a number for each stone that looks like chance
+    mixed = row.astype(np.int64) * 73856093 ^ column.astype(np.int64) * 19349663
+    level = 0.18 * ((mixed >> 5) & 255).astype(np.float32) - 23.0
+    near = np.minimum(np.abs(along / _STONE_M - row - 0.5), 0.5)
+    near = np.maximum(near, np.abs(across - column - 0.5))
+    softness = max(0.06, 0.8 * pixel_m / _STONE_M)
+    stone = _inside(near, 0.42, softness)[..., None]
+    top = np.add.outer(level + 5.0 * fine, rgb_of(142.0, 130.0, 114.0))
+    return np.asarray(top * stone + rgb_of(58.0, 52.0, 46.0) * (1.0 - stone))
 
 
 def _marks(along: Rgb, aside: Rgb, road_half_m: float, softness: float) -> Rgb:

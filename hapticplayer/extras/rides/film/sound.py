@@ -17,19 +17,20 @@ class Loudness:
     """How loud each part is; 1 is full scale.
 
     Wind grows with the square of the speed and tyres with it, up to `top_speed_mps`;
-    steps are of hooves or feet.
+    steps are of hooves or feet, stones are cobbles.
     """
 
     wind: float = 0.0
     tyres: float = 0.0
     engine: float = 0.0
     steps: float = 0.0
+    stones: float = 0.0
     step_hz: float = 0.0
     top_speed_mps: float = 5.0
 
 
 _LOUDNESS: dict[Vehicle, Loudness] = {
-    "bicycle": Loudness(wind=0.05, tyres=0.025),
+    "bicycle": Loudness(wind=0.05, tyres=0.025, stones=0.26),
     "horse": Loudness(
         wind=0.03, tyres=0.004, steps=0.30, step_hz=62.0, top_speed_mps=6.0
     ),
@@ -39,6 +40,7 @@ _LOUDNESS: dict[Vehicle, Loudness] = {
 }
 _THUMP_GAIN, _THUMP_HZ = 0.7, 72.0
 _PAT_GAIN, _PAT_HZ = 0.8, 170.0
+_STONE_HZ, _TYRES_ON_COBBLES, _EDGE_S = 120.0, 2.0, 0.3
 _IDLE_HZ, _HZ_PER_MPS = 25.0, 5.5
 _GEARS_MPS = (4.5, 8.5, 13.5)
 """Speeds at which the driver changes up."""
@@ -57,11 +59,19 @@ def ride_sound(scene: Scene, rng: np.random.Generator) -> NDArray[np.float32]:
     speed = np.interp(time_s, scene.route_time_s, scene.speed_mps)
     pace = speed / loud.top_speed_mps
     wind = _noise(rng, len(time_s), 80.0, 900.0) * (loud.wind * pace**2)[:, None]
-    tyres = _noise(rng, len(time_s), 300.0, 4500.0) * (loud.tyres * pace)[:, None]
+    rolling = loud.tyres * pace
+    if scene.cobbles_s is not None:
+        first_s, last_s = scene.cobbles_s
+        edges_s = [first_s, first_s + _EDGE_S, last_s, last_s + _EDGE_S]
+        rolling *= np.interp(time_s, edges_s, [1.0, *[_TYRES_ON_COBBLES] * 2, 1.0])
+    tyres = _noise(rng, len(time_s), 300.0, 4500.0) * rolling[:, None]
     still = 0.002 * _noise(rng, len(time_s), 200.0, 3000.0)
     sound = wind + tyres + still
     for hit_s, strength in scene.wheel_hits:
         _add_thump(sound, hit_s, (_THUMP_GAIN * strength, _THUMP_HZ), rng)
+    for stone_s, strength in scene.stones:
+        pitch_hz = _STONE_HZ * float(rng.uniform(0.8, 1.3))
+        _add_thump(sound, stone_s, (loud.stones * strength, pitch_hz), rng)
     if loud.engine:
         sound += _engine(scene, time_s, loud.engine)[:, None]
     for step_s, strength in scene.footfalls:
