@@ -88,11 +88,22 @@ def templates() -> list[str]:
 
 
 def templates_in(source: str) -> Iterator[str]:
-    """Yield the literal templates of the messages and errors in a module."""
-    for node in ast.walk(ast.parse(source)):
+    """Yield the templates of the messages and errors in a module.
+
+    They are literals, or names that have one in the function or module.
+    """
+    tree = ast.parse(source)
+    named: dict[str, list[ast.expr]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+            named.setdefault(node.targets[0].id, []).append(node.value)
+    for node in ast.walk(tree):
         if isinstance(node, ast.Call) and _is_message(node.func):
-            yield from _literals(*node.args[:1])
-            yield from _literals(*(k.value for k in node.keywords if k.arg == "remedy"))
+            given = [*node.args[:1]]
+            given += [k.value for k in node.keywords if k.arg == "remedy"]
+            for one in given:
+                known = named.get(one.id, []) if isinstance(one, ast.Name) else [one]
+                yield from _literals(*known)
 
 
 def untranslated(ts: Path) -> list[tuple[str, str]]:

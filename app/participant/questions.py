@@ -203,7 +203,9 @@ class PairRow(ScaleRow):
     def fits_beside(self, width_px: int) -> bool:
         """Whether a page has room for the opposites beside the points."""
         wide_px = [one.minimumWidth() for one in self.group.buttons()]
-        wide_px += [end.sizeHint().width() for end in self._ends]
+        wide_px += [
+            end.fontMetrics().horizontalAdvance(end.text()) for end in self._ends
+        ]
         gaps_px = len(wide_px) * self._grid.horizontalSpacing()
         return (
             sum(wide_px) + gaps_px
@@ -220,6 +222,7 @@ class PairRow(ScaleRow):
         for end, place, is_last in zip(self._ends, places, (False, True), strict=True):
             side = align.AlignLeft if is_last == is_beside else align.AlignRight
             end.setAlignment(side | align.AlignVCenter)
+            end.setWordWrap(not is_beside)
             self._grid.addWidget(end, *place)
         for column in (0, count + 1):
             self._grid.setColumnStretch(column, _OF_PAIR * is_beside)

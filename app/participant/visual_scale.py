@@ -24,6 +24,7 @@ _LINE, _TICK, _MARK = 0.10, 0.35, 0.42  # of a letter: line, half a tick, radius
 _APART = 0.6  # of a letter: between two labels
 _INNER = 0.3  # of its room: a label with less on one side is aligned to that edge
 _PAGE = 10
+_FRAME_PX = 8.0  # of the focus, with what keeps the labels off it
 _KEYS = (
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Home, Qt.Key.Key_End),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
@@ -48,7 +49,8 @@ class VisualScale(QSlider):
         self.setPageStep(_PAGE)
         self.setValue(sum(limits) // 2)  # from where the arrows start
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        # not fixed: a layout would leave it at the height of one line of labels
+        policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
 
@@ -104,7 +106,7 @@ class VisualScale(QSlider):
         """As high as the labels are that have several lines at this width."""
         rooms, metrics = self.label_rooms(width_px), self.fontMetrics()
         high_px = max((room.high_px(metrics) for room in rooms), default=0)
-        return self._above_px() + high_px
+        return self._above_px() + high_px + (round(_FRAME_PX) if rooms else 0)
 
     def _above_px(self) -> int:
         """Height of the line with its mark."""
@@ -122,7 +124,8 @@ class VisualScale(QSlider):
         """Where the labels are at a width."""
         line = self._line(width_px)
         labels = {self._at(at, line).x(): text for at, text in self._labels.items()}
-        return rooms_of(self.fontMetrics(), labels, (0.0, line.right() + line.left()))
+        edges = _FRAME_PX, width_px - _FRAME_PX
+        return rooms_of(self.fontMetrics(), labels, edges)
 
     def _at(self, value: int, line: QRectF) -> QPointF:
         share = (value - self.minimum()) / (self.maximum() - self.minimum())
@@ -152,7 +155,6 @@ class VisualScale(QSlider):
                 painter.drawRoundedRect(frame, 8.0, 8.0)
 
 
-_WRAPPED = Qt.TextFlag.TextWordWrap | Qt.TextFlag.TextWrapAnywhere
 _ENDLESS_PX = 10_000
 
 
@@ -167,13 +169,20 @@ class LabelRoom(NamedTuple):
     def draw(self, painter: QPainter, top_px: float, bottom_px: float) -> None:
         box = QRectF(self.left_px, top_px, self.right_px - self.left_px, 0.0)
         box.setBottom(bottom_px)
-        flags = self.side | Qt.AlignmentFlag.AlignTop | _WRAPPED
-        painter.drawText(box, flags, self.text)
+        breaks = self._breaks(painter.fontMetrics())
+        painter.drawText(box, self.side | Qt.AlignmentFlag.AlignTop | breaks, self.text)
 
     def high_px(self, metrics: QFontMetrics) -> int:
         wide_px = max(1, int(self.right_px - self.left_px))
         box = QRect(0, 0, wide_px, _ENDLESS_PX)
-        return metrics.boundingRect(box, int(_WRAPPED), self.text).height()
+        return metrics.boundingRect(box, self._breaks(metrics), self.text).height()
+
+    def _breaks(self, metrics: QFontMetrics) -> Qt.TextFlag:
+        """Between words, or anywhere if one of them is too long for a line."""
+        wide_px = max(map(metrics.horizontalAdvance, self.text.split()), default=0)
+        is_whole = wide_px <= self.right_px - self.left_px
+        flags = Qt.TextFlag
+        return flags.TextWordWrap if is_whole else flags.TextWrapAnywhere
 
 
 def rooms_of(

@@ -174,11 +174,18 @@ def account_of(one: Merged, named: Callable[[str], str] = str) -> list[Message]:
         Message("{count} sessions by {program}", count=count, program=name)
         for name, count in of.programs.items()
     ]
-    video = "force minus video: median {middle:+.1f} ms, worst trial {worst:+.1f} ms"
-    sound = "force minus sound: median {middle:+.1f} ms, worst trial {worst:+.1f} ms"
-    for text, latency in ((video, of.video_ms), (sound, of.sound_ms)):
+    video, sound = (Message("video"), of.video_ms), (Message("sound"), of.sound_ms)
+    for what, latency in (video, sound):
         if latency is not None:
-            lines.append(Message(text, middle=latency[0], worst=latency[1]))
+            lines.append(
+                Message(
+                    "force minus {what}: median {middle:+.1f} ms, worst trial "
+                    "{worst:+.1f} ms",
+                    what=what,
+                    middle=latency[0],
+                    worst=latency[1],
+                )
+            )
     return lines
 
 

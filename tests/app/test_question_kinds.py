@@ -130,10 +130,31 @@ def test_long_labels_of_a_mark_are_whole_and_apart(qtbot, wide_px, places):
     assert 0 <= rooms[0].left_px < rooms[-1].right_px <= wide_px
     assert all(one.right_px < other.left_px for one, other in pairwise(rooms))
     high_px = max(room.high_px(metrics) for room in rooms)
-    assert scale.height() >= high_px + LEAST_PX > 2 * metrics.height() + LEAST_PX
+    assert scale.height() >= high_px + LEAST_PX >= 2 * metrics.height() + LEAST_PX
     scale.show()
     below = scale.grab().toImage().copy(0, scale.height() - 2, wide_px, 2)
     assert len({below.pixel(x, 1) for x in range(wide_px)}) == 1  # nothing is cut
+
+
+@pytest.mark.parametrize("room", ROOMS[1:])
+def test_long_labels_have_all_their_lines_on_a_page(make_study, sit, qtbot, room):
+    study = make_study()
+    content = with_every_kind(json.loads(study.content))
+    words = dict.fromkeys(content["languages"], "as strong as anything ever felt " * 2)
+    (asking,) = [one for one in content["pages"] if one["key"] == "more-before"]
+    for kind, places in (("visual", (0, 40, 100)), ("pair", (-3, 3))):
+        (asked,) = [one for one in asking["questions"] if one["kind"] == kind]
+        asked["labels"] = [{"at": at, "text": words} for at in places]
+    session = sit(change_definition(study, content))
+    window, maker = session.participant, session.runner.maker
+    window.resize(*room)
+    window.show_page(maker.page(PageKind.QUESTIONS, "more-before", 99))
+    qtbot.wait(50)
+    pair = row_of(window.content, QuestionKind.PAIR)
+    of_pair = [one for one in pair.findChildren(QLabel) if "strong" in one.text()]
+    for one in (row_of(window.content, QuestionKind.VISUAL).scale, *of_pair[-2:]):
+        line_px = one.fontMetrics().height()
+        assert one.height() >= one.heightForWidth(one.width()) > 1.9 * line_px
 
 
 def test_digits_turn_several_answers_on_and_off(page):

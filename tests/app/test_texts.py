@@ -9,7 +9,7 @@ from app.bridge.jobs import JobState
 from app.bridge.languages import translated
 from app.widgets.texts import breakable, job_text
 from hapticplayer.errors import InputError, Message, message_of
-from tools.translate import ROOT, templates
+from tools.translate import ROOT, templates, templates_in
 
 
 def test_french_has_a_space_before_its_colon_that_does_not_break(spoken):
@@ -68,6 +68,18 @@ def test_no_message_shown_in_the_window_names_an_option():
     assert len(texts) > 1000
     option = re.compile(r"(?<![\w-])--[a-z]|`hapticplayer")
     assert [text for text in texts if option.search(text)] == []
+
+
+def test_templates_that_have_a_name_are_translated_too():
+    source = """
+def refuse(limits):
+    if limits:
+        text = "between {a} and {b}"
+    else:
+        text = "at least {a}"
+    raise InputError(text, a=1, b=2)
+"""
+    assert set(templates_in(source)) == {"between {a} and {b}", "at least {a}"}
 
 
 @pytest.mark.parametrize(

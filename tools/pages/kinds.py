@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from app.participant.application import StudySession
-from hapticplayer.study.creation import change_definition, create_study
+from hapticplayer.study.creation import change_definition, create_study, new_definition
 from hapticplayer.study.definition import When
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.study_folder import Study
@@ -46,7 +46,9 @@ ALSO_OF_PAGE = (("choice", "choices", "yes-no"), ("text",))
 def pictures(stage: Stage) -> Pictures:
     """Yield the pages of every template, then those of every kind with long texts."""
     for template in TEMPLATES:
-        folders = dict.fromkeys(KEYS, stage.material.demo)
+        content = json.loads(new_definition(template))
+        keys = [one["key"] for one in content["sequences"]]
+        folders = dict.fromkeys(keys, stage.material.demo)
         study = create_study(stage.folder / template, template, folders=folders)
         study = _rated_soon(study)
         with in_session(stage, study) as session:
