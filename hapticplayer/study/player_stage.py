@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
+from hapticplayer.errors import StudyError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.faults import HARMLESS
@@ -20,6 +21,7 @@ from hapticplayer.rendering import shifted_and_scaled
 from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
 from hapticplayer.study.stage import PlaybackResult
 
+_LOST = (Health.FAILED, Health.GONE)
 _ACTING = (Mode.ENTERING, Mode.FOLLOWING)
 
 
@@ -54,6 +56,20 @@ class PlayerStage:
         self._clock, self._record = clock, record
         self.opening: Callable[[Source], None] = lambda _source: None
         self._monitor = _PlaybackMonitor(player, clock.now_s())
+        outputs = player.snapshot().outputs
+        self._ready = [one.name for one in outputs if one.health is Health.READY]
+
+    def check(self) -> None:
+        """Refuse a trial without a device that was there; another stays as it is."""
+        for one in self.player.snapshot().outputs:
+            is_lost = one.health in _LOST and one.name in self._ready
+            if is_lost and self._checks.device:
+                raise StudyError(
+                    "no trial begins: {device} was lost ({reason})",
+                    remedy="connect it, close this session and resume it",
+                    device=one.name,
+                    reason=one.problem or one.fault or one.health.value,
+                )
 
     def prepare(self, condition: Condition) -> None:
         """Load the clip and the force of a condition."""
@@ -240,7 +256,7 @@ class _PlaybackMonitor:
 
     def _force_reasons(self, limits: PlaybackLimits, after: Snapshot) -> list[str]:
         found = []
-        if any(one.health in (Health.FAILED, Health.GONE) for one in after.outputs):
+        if any(one.health in _LOST for one in after.outputs):
             found.append("device_lost")
         found += [
             f"output_fault:{one.name}"

@@ -261,6 +261,7 @@ class SessionRunner:
             self._pass_step()
         else:
             self._expect(PageKind.READY)
+            self.stage.check()
             if self.gap_s or self._is_held():
                 return
             self._markers.check()

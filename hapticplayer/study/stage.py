@@ -25,6 +25,10 @@ class PlaybackResult:
 class TrialStage(Protocol):
     """Plays clips; all calls on the thread that polls the player."""
 
+    def check(self) -> None:
+        """Raise StudyError where the next clip could not be felt."""
+        ...
+
     def prepare(self, condition: Condition) -> None:
         """Load the next clip; its first frame may be shown."""
         ...

@@ -12,6 +12,7 @@ from sitting import KEYS, Person
 from app.experimenter import session_control
 from app.participant.pages import QuestionsPage, TextPage
 from app.participant.questions import ButtonsRow, NumberRow
+from hapticplayer.haptics.processes import Health
 from hapticplayer.study.analysis.blocks import ReportTable
 from hapticplayer.study.analysis.conduct_report import playback as reported
 from hapticplayer.study.answers import read_answers
@@ -300,6 +301,25 @@ def test_a_skip_skips_the_step_that_was_asked_about(
     monkeypatch.setattr(session_control, "ask_text", lambda *_: "known already")
     control.buttons["skip"].click()
     person.wait_page(PageKind.READY, "trial-01")
+
+
+def test_no_trial_begins_without_the_device_that_was_lost(make_study, sit, wait_for):
+    checks = {"device": True, "sound": False, "disk_free_mb": 1}
+    study = make_study(checks={**checks, "scheduling": ["fifo", "slice", "normal"]})
+    session = sit(study, outputs=["simulated"])
+    person, player = Person(session, wait_for), session.player
+    person.to_trials()
+    player.set_outputs(["simulated"], takes_faults=True)
+    wait_for(lambda: player.snapshot().leading.health is Health.READY)
+    player.inject("unplug")
+    wait_for(lambda: player.snapshot().leading.health is Health.FAILED)
+    person.key(Qt.Key.Key_Enter)
+    wait_for(lambda: "was lost" in session.control.messages.text())
+    assert "resume it" in session.control.messages.text()
+    assert session.runner.page.kind is PageKind.READY
+    assert "please wait" in person.page.problem.text().lower()
+    records = study.session(session.runner.plan.code).records.intact
+    assert "trial-begin" not in [record.kind for record in records]
 
 
 @needs("rigs")

@@ -33,6 +33,9 @@ class FakeStage:
         self.clock, self.first_frame_s = None, None
         self.clip_s = defaultdict(lambda: 10.0)
 
+    def check(self):
+        """Everything is there."""
+
     def prepare(self, condition: Condition):
         self.prepared.append(condition)
 
