@@ -209,32 +209,41 @@ def _described(groups: Mapping[str, Mapping[str, Summary]]) -> str:
 
 
 def _means(analysis: Analysis) -> Iterator[ReportBlock]:
-    head = ("n", "mean", "95 % CI", "SD", "median", "quartiles", "range")
-    rows = tuple(
-        _summary_row(f"{_label(name)}: {feedback}", summary)
-        for name, one in analysis.measures.items()
-        for feedback, summary in one.feedbacks.items()
+    measures, scores = analysis.measures, analysis.scores
+    yield _summaries(
+        "Means over the sequences by feedback",
+        "measure: feedback",
+        {_label(name): one.feedbacks for name, one in measures.items()},
+        ": ",
     )
-    title = "Means over the sequences by feedback"
-    yield ReportTable(title, ("measure: feedback", *head), rows, _NO_INTERVAL)
-    for factor in analysis.scores.sequence_factors:
-        rows = tuple(
-            _summary_row(f"{_label(name)}: {level}, {feedback}", summary)
-            for name, one in analysis.measures.items()
-            for level in analysis.scores.levels_of(factor)
-            for feedback, summary in one.levels[level].items()
-        )
+    for factor in scores.sequence_factors:
+        groups = {
+            f"{_label(name)}: {level}": one.levels[level]
+            for name, one in measures.items()
+            for level in scores.levels_of(factor)
+        }
         title = f"Means over the sequences of each level of {factor}, by feedback"
-        first = f"measure: {factor}, feedback"
-        yield ReportTable(title, (first, *head), rows, _NO_INTERVAL)
-    for name, one in analysis.measures.items():
-        rows = tuple(
-            _summary_row(f"{sequence}, {feedback}", summary)
-            for sequence, by_feedback in one.conditions.items()
-            for feedback, summary in by_feedback.items()
-        )
+        yield _summaries(title, f"measure: {factor}, feedback", groups)
+    for name, one in measures.items():
         title = f"{_label(name)} by condition, all answers"
-        yield ReportTable(title, ("condition", *head), rows, _NO_INTERVAL)
+        yield _summaries(title, "condition", one.conditions)
+
+
+def _summaries(
+    title: str,
+    first: str,
+    groups: Mapping[str, Mapping[str, Summary]],
+    mark: str = ", ",
+) -> ReportTable:
+    """A row for each group and feedback; none where nobody has answered."""
+    head = (first, "n", "mean", "95 % CI", "SD", "median", "quartiles", "range")
+    is_known = any(one.n for group in groups.values() for one in group.values())
+    rows = (
+        _summary_row(f"{name}{mark}{feedback}", one)
+        for name, group in groups.items()
+        for feedback, one in group.items()
+    )
+    return ReportTable(title, head, tuple(rows) if is_known else (), _NO_INTERVAL)
 
 
 def _label(measure: str) -> str:

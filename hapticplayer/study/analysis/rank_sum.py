@@ -83,7 +83,12 @@ def _expertise(sample: Sample, _resampling: Resampling) -> Found:
 def _group_warnings(found: dict[str, Found]) -> Iterator[str]:
     groups = next(iter(next(iter(found.values())).values()))
     smaller = min(groups["n_before"], groups["n_new"])
-    if smaller < _SMALL_GROUP:
+    if not smaller:
+        yield (
+            "Participants who had used such a device before and new ones cannot be "
+            "compared: there are none of one group."
+        )
+    elif smaller < _SMALL_GROUP:
         yield (
             "One of the groups of the Mann-Whitney tests has "
             f"{counted(smaller, 'participant')}: "

@@ -125,6 +125,20 @@ def test_the_report_names_the_devices_of_its_sessions(answers):
     assert said in first.text
 
 
+def test_one_answer_alone_makes_no_tables_of_dashes(answers):
+    first = answers.ratings[0]
+    ratings = [replace(one, is_valid=one is first) for one in answers.ratings]
+    found = parts(replace(answers, ratings=tuple(ratings)))
+    tables = [one for one in found.blocks if isinstance(one, ReportTable)]
+    means = [one.title for one in tables if one.head[1:3] == ("n", "mean")]
+    assert [one.partition(". ")[2] for one in means] == [
+        f"{first.factor} by condition, all answers"
+    ]
+    warned = "\n".join(found.numbers["warnings"])
+    assert "cannot be compared: there are none of one group" in warned
+    assert "0 participants:" not in warned
+
+
 def test_a_report_without_a_valid_answer_says_so_first(answers, tmp_path):
     ratings = tuple(replace(one, is_valid=False) for one in answers.ratings)
     found = parts(replace(answers, ratings=ratings))
