@@ -21,6 +21,7 @@ from hapticplayer.study.analysis.contents import reproducibility
 from hapticplayer.study.analysis.methods import references
 from hapticplayer.study.analysis.question_report import question_summary
 from hapticplayer.study.analysis.scale_report import scale_summary
+from hapticplayer.study.analysis.statistic import counted
 from hapticplayer.study.analysis.trial_force_report import (
     trial_force_blocks,
     trial_force_summary,
@@ -104,7 +105,7 @@ def few_people(answers: Answers) -> Iterator[str]:
     count = len(answers.participants)
     if count < FEW:
         yield (
-            f"There are {count} participants: intervals are too narrow and do not "
+            f"With {counted(count, 'participant')} intervals are too narrow and do not "
             "generalise."
         )
     if len(answers.feedbacks) > 1:

@@ -56,6 +56,7 @@ from hapticplayer.study.analysis.references import (
     YARROW_2011,
 )
 from hapticplayer.study.analysis.statistic import (
+    counted,
     interval,
     number,
     p_value,
@@ -174,7 +175,7 @@ def _findings(
         else (_OF_STAIRCASES.format(share=f"{100.0 * converges_to(rule):.0f}"),)
     )
     return Findings(
-        f"{len(found.participants)} participants; {found.missing} of "
+        f"{counted(len(found.participants), 'participant')}; {found.missing} of "
         f"{found.planned} answers are missing ({found.invalid} because the "
         "playback was not valid).",
         [*warnings_of(found), *_track_warnings(tracks)],

@@ -29,7 +29,13 @@ from hapticplayer.study.analysis.figures import marked, new_panel
 from hapticplayer.study.analysis.methods import computed_with, invalid_text
 from hapticplayer.study.analysis.parts import ReportParts
 from hapticplayer.study.analysis.references import EFRON_1993, STEVENS_1957
-from hapticplayer.study.analysis.statistic import interval, number, plain, rounded
+from hapticplayer.study.analysis.statistic import (
+    counted,
+    interval,
+    number,
+    plain,
+    rounded,
+)
 from hapticplayer.study.answers import Answers, simulated_mark
 
 if TYPE_CHECKING:
@@ -105,7 +111,7 @@ def _findings(found: MagnitudeAnalysis) -> Findings:
     if not found.exponents:
         warned.append("There are not two gains at one delay, hence no exponent.")
     return Findings(
-        f"{count} participants; {found.missing} answers are missing.",
+        f"{counted(count, 'participant')}; {found.missing} answers are missing.",
         warned,
         (_methods(found),),
         tuple(_results(found)),
