@@ -1,7 +1,7 @@
 """The processor time of the haptics processes while nothing plays, before and at rest.
 
 The loop, its guard and the simulated device with a paused clip: at 1 kHz, and from 30 s
-later at 25 Hz.
+later at 20 Hz.
 """
 
 import argparse

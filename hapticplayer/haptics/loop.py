@@ -26,7 +26,7 @@ from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector
 
 ZERO_TICKS_BEFORE_CLOSING = 5
 REST_AFTER_S = 30.0
-REST_PERIOD_S = 0.040
+REST_PERIOD_S = 0.050
 """Unplugging and buttons are noticed within one; what the player says at once."""
 REST_TICK_S = 0.2
 """A tick at rest, where the device answers as before."""
@@ -64,7 +64,7 @@ class Loop(TrackFollower):
         """Tick until the player quits or is gone, then leave zero on the wire.
 
         At 1 kHz. When there was no force for 30 s and nothing plays, the device is looked
-        at with 25 Hz, and a tick comes where it or the player has something new.
+        at with 20 Hz, and a tick comes where it or the player has something new.
         """
         gc.collect()
         gc.freeze()

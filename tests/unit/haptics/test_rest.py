@@ -1,4 +1,4 @@
-"""Rest on a virtual clock: 25 Hz when nothing plays, 1 kHz before the first force."""
+"""Rest on a virtual clock: 20 Hz when nothing plays, 1 kHz before the first force."""
 
 import math
 
@@ -80,12 +80,12 @@ def looked_at(rig, monkeypatch):
     return times_s
 
 
-def test_a_loop_without_work_rests_at_25_hz(rig, monkeypatch):
+def test_a_loop_without_work_rests_at_20_hz(rig, monkeypatch):
     looks_s, start_s = looked_at(rig, monkeypatch), rig.clock.now_s()
     records, time_s = run(rig, [(0.0, lambda: publish(rig, 0.0))], 2.0)
     looks_s = np.array(looks_s) - start_s
     between = (looks_s > 0.1) & (looks_s < 1.99)
-    assert np.allclose(np.diff(looks_s[between]), 0.040, atol=1e-9)
+    assert np.allclose(np.diff(looks_s[between]), 0.050, atol=1e-9)
     resting = (time_s > 0.1) & (time_s < 1.99)
     assert np.allclose(np.diff(time_s[resting]), loops.REST_TICK_S, atol=1e-9)
     assert np.allclose(np.diff(time_s[time_s < WAKES_AFTER_S]), PERIOD_S, atol=1e-9)
@@ -111,9 +111,9 @@ def test_the_loop_is_at_1_khz_again_before_the_first_force(rig):
         (
             lambda rig: setattr(rig.device.simulation, "buttons", 1),
             Cause.GRIP_BUTTON,
-            0.040,
+            0.050,
         ),
-        (lambda rig: rig.device.unplug(), Cause.UNPLUGGED, 0.040),
+        (lambda rig: rig.device.unplug(), Cause.UNPLUGGED, 0.050),
     ],
 )
 def test_at_rest_a_trip_is_noticed_soon(rig, fault, cause, within_s):
@@ -130,13 +130,14 @@ def test_a_tripped_loop_rests_and_can_be_armed_again(rig):
         (0.0, lambda: publish(rig, 1.0)),
         (0.5, lambda: rig.player.send(MessageKind.STOP)),
         (1.5, lambda: publish(rig, 0.0)),
-        (2.0, lambda: rig.player.send(MessageKind.REARM)),
-        (2.1, lambda: publish(rig, 1.0, epoch=2)),
+        (2.6, lambda: rig.player.send(MessageKind.REARM)),
+        (2.7, lambda: publish(rig, 1.0, epoch=2)),
     ]
-    records, time_s = run(rig, acts, 3.0)
-    resting = (time_s > 1.6) & (time_s < 1.99)
-    assert np.allclose(np.diff(time_s[resting]), loops.REST_TICK_S, atol=1e-9)
-    assert records["force_n"][time_s < 2.9][-1, 1] == pytest.approx(2.0)
+    records, time_s = run(rig, acts, 3.6)
+    waits_s = np.diff(time_s[(time_s > 1.8) & (time_s < 2.59)])  # the hand still creeps
+    assert waits_s.min() + 1e-9 > loops.REST_PERIOD_S
+    assert waits_s.max() < loops.REST_TICK_S + 1e-9
+    assert records["force_n"][time_s < 3.5][-1, 1] == pytest.approx(2.0)
 
 
 def test_a_grip_that_moves_at_rest_is_followed(rig):
@@ -146,7 +147,7 @@ def test_a_grip_that_moves_at_rest_is_followed(rig):
     acts = [(0.0, lambda: publish(rig, 0.0)), (1.0, move)]
     records, time_s = run(rig, acts, 2.0)
     moving = (time_s > 1.05) & (time_s < 1.3)
-    assert np.allclose(np.diff(time_s[moving]), 0.040, atol=1e-9)
+    assert np.allclose(np.diff(time_s[moving]), 0.050, atol=1e-9)
     assert records["position_m"][time_s < 1.99][-1, 0] > 0.002
 
 
