@@ -190,8 +190,8 @@ def on_common_times(
     if rate.time_s is accel.time_s and (field is None or field.time_s is accel.time_s):
         values = None if field is None else field.values
         return AlignedSamples(accel.time_s, accel.values, rate.values, values, ())
-    accel, notes = _ordered(accel, "accelerometer", where)
-    rate, rate_notes = _ordered(rate, "gyroscope", where)
+    accel, notes = ordered(accel, "accelerometer", where)
+    rate, rate_notes = ordered(rate, "gyroscope", where)
     accel, clock_notes = _on_even_clock(accel, "accelerometer", force=accel.values)
     rate, rate_clock_notes = _on_even_clock(rate, "gyroscope", rate=rate.values)
     rows, mean = mean_rate_with_holes(accel.time_s, rate.time_s, rate.values)
@@ -207,7 +207,7 @@ def on_common_times(
     return AlignedSamples(time_s, accel.values[rows], mean, at_times, notes)
 
 
-def _ordered(
+def ordered(
     stream: SensorStream, name: str, where: str
 ) -> tuple[SensorStream, tuple[str, ...]]:
     """Return a stream with strictly increasing times, and notes."""
@@ -248,7 +248,7 @@ def interpolated(time_s: Floats, field: SensorStream, where: str) -> Floats | No
     if np.count_nonzero(finite) < 2:
         return None
     try:
-        kept, _ = _ordered(
+        kept, _ = ordered(
             SensorStream(field.time_s[finite], field.values[finite]),
             "slow sensor",
             where,

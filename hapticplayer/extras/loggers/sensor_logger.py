@@ -24,6 +24,7 @@ from hapticplayer.capture.streams import (
     Sensor,
     SensorStream,
     interpolated,
+    ordered,
     read_sensor,
 )
 from hapticplayer.errors import InputError, Message
@@ -165,6 +166,7 @@ def _with_gravity(
         linear.stream.time_s, gravity.since(linear.origin_ns), str(source.path)
     )
     if at_times is None:
+        ordered(gravity.stream, "gravity", source.where(found[_GRAVITY]))
         raise InputError(
             "its gravity cannot be used",
             where=source.where(found[_GRAVITY]),

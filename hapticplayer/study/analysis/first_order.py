@@ -17,7 +17,7 @@ from hapticplayer.study.definition import RatingKind
 from hapticplayer.study.watched import COURSE_HZ, Course
 
 LAGS_S = np.geomspace(0.1, 30.0, 80)
-_RESAMPLES = 199
+RESAMPLES = 199
 _AXES = (0, 2)
 _LEAST_PEOPLE = 3
 _LEAST_SHARE = 0.5
@@ -63,7 +63,7 @@ def first_order(
     drawn = [
         fitted.model(weights)
         for weights in rng.multinomial(
-            people, np.full(people, 1.0 / people), _RESAMPLES
+            people, np.full(people, 1.0 / people), RESAMPLES
         ).astype(np.float64)
     ]
     rows = np.array([one[:2] for one in drawn if one is not None])

@@ -9,6 +9,7 @@ import pytest
 from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
+from hapticplayer.study.analysis import AnalysisOptions, first_order
 from hapticplayer.study.analysis.course_report import (
     course_figures,
     course_with_band,
@@ -41,6 +42,11 @@ def simulated_course(place, rng, lag_s, gain, lateral, people=24):
     values[0, :50] = np.nan
     of = MATCH, Condition(f"clip-{place}", "none"), time_s, values
     return Course(*of, np.zeros_like(mismatch_n), mismatch_n)
+
+
+@pytest.fixture(autouse=True)
+def _fewer_resamples(monkeypatch):
+    monkeypatch.setattr(first_order, "RESAMPLES", 49)
 
 
 @pytest.mark.parametrize(
@@ -124,10 +130,10 @@ def watched(tmp_path, template, manual_clock):
     return change_definition(create_study(tmp_path / "study"), {**template, **rated})
 
 
-def test_vection_is_compared_and_told_over_time(watched, manual_clock, tmp_path):
+def test_vection_is_compared_and_told_over_time(watched, manual_clock, quick):
     written(watched, manual_clock)
     answers = read_answers(watched.folder, lambda _fraction, _step: None)
-    report = analyse_study(answers)
+    report = analyse_study(answers, AnalysisOptions(resampling=quick))
     onset = report.numbers["factors"]["vection.onset_s"]
     assert onset["realistic"]["mean"] == pytest.approx(4.0, abs=0.5)
     assert onset["none"]["mean"] == pytest.approx(19.98, abs=0.03)  # never: the end
@@ -156,7 +162,7 @@ def test_a_curve_is_drawn_beside_its_force(make_answers):
     assert len(panels[0].collections) == 1  # the band
 
 
-def test_ratings_are_shown_without_sequences(watched, manual_clock):
+def test_ratings_are_shown_without_sequences(watched, manual_clock, quick):
     content = json.loads(watched.content)
     for one in content["sequences"]:
         one["folder"] = ""
@@ -165,4 +171,5 @@ def test_ratings_are_shown_without_sequences(watched, manual_clock):
     answers = read_answers(study.folder, lambda _fraction, _step: None)
     assert all(one.force_n is None for one in answers.courses)
     assert any("without the force" in text for text in answers.notices)
-    assert analyse_study(answers).numbers["over_time"]["match"]["first_order"] is None
+    report = analyse_study(answers, AnalysisOptions(resampling=quick))
+    assert report.numbers["over_time"]["match"]["first_order"] is None

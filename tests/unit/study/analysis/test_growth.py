@@ -8,6 +8,7 @@ import pytest
 
 from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
 from hapticplayer.study.analysis.aligned_ranks import structure
+from hapticplayer.study.analysis.analysis import STATISTICS
 
 
 class CountingGenerator:
@@ -41,6 +42,14 @@ def resampled(answers) -> list[int]:
     return counted.counts[0]
 
 
+@pytest.fixture
+def without_models(monkeypatch):
+    """The models of many participants take seconds, and draw nothing."""
+    for name in ("ordinal_logit", "ordinal_probit"):
+        monkeypatch.delitem(STATISTICS, name)
+
+
+@pytest.mark.usefixtures("without_models")
 def test_random_values_grow_with_participants(make_answers):
     # 120 participants are too many to count all orders: both sizes draw them
     fewer, more = (resampled(make_answers(5, people)) for people in (120, 480))
@@ -71,6 +80,7 @@ def test_memory_of_the_variance_grows_with_participants():
     assert peak(800) < 5.0 * peak(200)
 
 
+@pytest.mark.usefixtures("without_models")
 @pytest.mark.parametrize(("people", "methods"), [(12, "exact"), (260, "normal")])
 def test_large_studies_say_how_p_was_found(make_answers, quick, people, methods):
     found = analyse(make_answers(5, people), AnalysisOptions(resampling=quick)).found
