@@ -1,11 +1,13 @@
 """Seeded answers with ties and holes, as people give them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
 
 from hapticplayer.study.analysis import Resampling
+from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.answers import Answers, Participant, Rating
 
 QUICK = Resampling(seed=7, count=99)
@@ -61,3 +63,22 @@ def make_answers() -> Callable[..., Answers]:
 @pytest.fixture(scope="session")
 def quick() -> Resampling:
     return QUICK
+
+
+@contextmanager
+def models_left_out() -> Iterator[None]:
+    """The mixed models take seconds, draw nothing, and are asked for elsewhere."""
+    known = dict(STATISTICS)
+    for name in ("ordinal_logit", "ordinal_probit"):
+        del STATISTICS[name]
+    try:
+        yield
+    finally:
+        STATISTICS.clear()  # their order is that of a report
+        STATISTICS.update(known)
+
+
+@pytest.fixture
+def without_models() -> Iterator[None]:
+    with models_left_out():
+        yield

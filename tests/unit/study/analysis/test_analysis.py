@@ -91,6 +91,7 @@ def test_complete_means_without_those_who_left_a_hole(answers):
     assert len(found.values) == 14
 
 
+@pytest.mark.usefixtures("without_models")
 def test_who_is_left_out_is_named_in_the_numbers_and_in_words(answers, choices):
     holed = without(answers, participant="P03", feedback="random")
     found = summary(analyse(holed, choices))

@@ -8,7 +8,6 @@ import pytest
 
 from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
 from hapticplayer.study.analysis.aligned_ranks import structure
-from hapticplayer.study.analysis.analysis import STATISTICS
 
 
 class CountingGenerator:
@@ -40,13 +39,6 @@ def resampled(answers) -> list[int]:
     counted = Counted(count=99, counts=([],))
     analyse(answers, AnalysisOptions(resampling=counted))
     return counted.counts[0]
-
-
-@pytest.fixture
-def without_models(monkeypatch):
-    """The models of many participants take seconds, and draw nothing."""
-    for name in ("ordinal_logit", "ordinal_probit"):
-        monkeypatch.delitem(STATISTICS, name)
 
 
 @pytest.mark.usefixtures("without_models")
