@@ -436,10 +436,10 @@ def sha256_of(path: Path, report: Callable[[float], None] = lambda _f: None) -> 
     return digest.hexdigest()
 
 
-def json_text(content: Any) -> bytes:
+def json_text(content: Any, errors: str = ESCAPED) -> bytes:
     """Indented JSON without NaN for people to read."""
     text = json.dumps(content, indent=2, allow_nan=False, ensure_ascii=False)
-    return f"{text}\n".encode(errors=ESCAPED)
+    return f"{text}\n".encode(errors=errors)
 
 
 def write_json(path: Path, content: dict[str, Any]) -> None:

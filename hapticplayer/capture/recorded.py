@@ -29,11 +29,17 @@ from hapticplayer.media.remux import MATROSKA, remux
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats, arrays_of
 from hapticplayer.model.limits import MAX_CSV_BYTES
-from hapticplayer.storage import file_replaced, lock_folder, replace_json
+from hapticplayer.storage import (
+    file_replaced,
+    json_text,
+    lock_folder,
+    replace_file,
+)
 from hapticplayer.structures import MAX_JSON_BYTES, check_schema, convert, decode
 from hapticplayer.untrusted import read_regular
 
 CLIP, LOG = "clip.mkv", "imu.csv"
+SOURCE, COUNT = "source", "count"
 COLUMNS = (*LOG_COLUMNS, si_csv.ARRIVAL)
 
 _VERSION = 1
@@ -41,8 +47,10 @@ _OTHER = Message("is not a recording"), Message("choose the folder of a recordin
 MOST_GAPS = 1000
 """That are kept of a stream, in memory and in the description."""
 
-_Seconds = Annotated[float, Meta(ge=-1e7, le=1e7)]
-_Residual = Annotated[float, Meta(ge=0.0, le=60.0)]
+_MOST_S = 1e7
+_Seconds = Annotated[float, Meta(ge=-_MOST_S, le=_MOST_S)]
+_MOST_RESIDUAL_S = 60.0
+_Residual = Annotated[float, Meta(ge=0.0, le=_MOST_RESIDUAL_S)]
 
 
 class Gap(Struct, frozen=True):
@@ -66,7 +74,7 @@ class SourceClockLine(Struct, frozen=True):
     def of(cls, clock: Any, begin_s: float) -> "SourceClockLine":
         """Of a `SourceClock` that begins there."""
         offset_s, rate = clock.line()
-        return cls(offset_s, rate, clock.residual_s, begin_s)
+        return cls(offset_s, rate, min(clock.residual_s, _MOST_RESIDUAL_S), begin_s)
 
 
 class Stream(Struct, frozen=True):
@@ -74,7 +82,8 @@ class Stream(Struct, frozen=True):
 
     Attributes:
         name: as a person gave it.
-        stamped_by: "monotonic" or "wall", the machine's clocks; or "source".
+        stamped_by: "monotonic" or "wall", the machine's clocks; or SOURCE, its own, or
+            COUNT, its samples by their nominal period.
         residual_s: of its stamps on the machine's clock.
         count: frames, sound blocks or samples.
         dropped: how many are missing.
@@ -115,7 +124,9 @@ class Take(Struct, frozen=True, kw_only=True):
     notices: list[str] = []
 
     def write(self, folder: Path) -> None:
-        replace_json(folder / RECORDING, msgspec.to_builtins(self))
+        # names that are not UTF-8 could not be read again
+        text = json_text(msgspec.to_builtins(self), errors="replace")
+        replace_file(folder / RECORDING, text)
 
 
 class Parts(NamedTuple):
@@ -165,13 +176,21 @@ def finished(folder: Path) -> Take:
         return take
     with _not_recorded_now(folder):
         changes: dict[str, Any] = {"is_finished": True}
+        damaged = 0
         if take.camera is not None:
             _finish_clip(folder / CLIP)
         if take.imu is not None:
-            pairs = _finish_log(folder / LOG)
-            changes |= _clocks(pairs, take) if len(pairs) > 1 else {"imu": None}
+            pairs, damaged = _finish_log(folder / LOG)
+            lines = _clocks(pairs, take)
+            changes |= (
+                {"clock": lines[0], "restarts": lines[1:]} if lines else {"imu": None}
+            )
         ended = "The recorder was ended from outside; this is what it had written."
         changes["notices"] = [*take.notices, ended]
+        if damaged:
+            changes["notices"].append(
+                f"Damaged rows of {LOG} that were left out: {damaged}."
+            )
         take = msgspec.structs.replace(take, **changes)
         take.write(folder)
     return take
@@ -198,27 +217,41 @@ def _finish_clip(clip: Path) -> None:
         remux(clip, part, MATROSKA)
 
 
-def _finish_log(log: Path) -> Floats:
-    """Take the half of a row away; return times and arrivals (n, 2)."""
+def _finish_log(log: Path) -> tuple[Floats, int]:
+    """Leave only whole rows; their times and arrivals (n, 2), and how many others."""
     content = read_regular(log, MAX_CSV_BYTES, InputError)
-    end = content.rfind(b"\n") + 1
-    os.truncate(log, end)
-    rows = [row.split(b",") for row in content[:end].splitlines()[1:]]
-    return np.array([(row[0], row[-1]) for row in rows], dtype=np.float64)
+    head, *rows = content.splitlines(keepends=True) or [b""]
+    half = rows.pop() if rows and not rows[-1].endswith(b"\n") else b""
+    found = [(row, pair) for row in rows if (pair := _pair(row)) is not None]
+    if half or len(found) < len(rows):
+        # a new file: the name may be a link
+        replace_file(log, head + b"".join(row for row, _ in found))
+    return np.array([pair for _, pair in found]).reshape(-1, 2), len(rows) - len(found)
 
 
-def _clocks(pairs: Floats, take: Take) -> dict[str, Any]:
+def _pair(row: bytes) -> tuple[float, float] | None:
+    """Time and arrival of a row; None of a damaged one, as a power failure leaves it."""
+    try:
+        cells = [float(cell) if cell.strip() else 0.0 for cell in row.split(b",")]
+    except ValueError:
+        return None
+    is_sane = len(cells) == len(COLUMNS) and all(abs(one) < _MOST_S for one in cells)
+    return (cells[0], cells[-1]) if is_sane else None
+
+
+def _clocks(pairs: Floats, take: Take) -> list[SourceClockLine]:
     """The clock of each stretch of a log, fitted to its rows."""
-    from hapticplayer.capture.live.source_clock import SourceClock
+    from hapticplayer.capture.live.source import new_clock
 
-    lines = []
+    assert take.imu is not None
+    is_stamped, lines = take.imu.stamped_by != COUNT, []
     begins_s = [one.begin_s for one in take.restarts]
     for part in np.split(pairs, np.searchsorted(pairs[:, 0], begins_s)):
         if len(part) > 1:
-            clock = SourceClock()
+            clock = new_clock(take.imu.name, is_stamped=is_stamped)
             clock.add(part[:, 0], part[:, 1])
             lines.append(SourceClockLine.of(clock, float(part[0, 0])))
-    return {"clock": lines[0], "restarts": lines[1:]}
+    return lines
 
 
 def _in_media_time(imu: ImuLog, lines: list[SourceClockLine]) -> ImuLog:

@@ -103,7 +103,8 @@ def _listened_to(options: argparse.Namespace) -> list[TextIO]:
         sys.stdin.fileno()
     except (AttributeError, OSError):
         return []
-    return [] if options.imu == STANDARD_INPUT else [sys.stdin]
+    is_read = (options.imu or "").partition(",")[0] == STANDARD_INPUT
+    return [] if is_read else [sys.stdin]
 
 
 def _marked(recorder: Recorder) -> list[TextIO]:

@@ -30,7 +30,8 @@ from hapticplayer.motion.stillness import (
 REST_S = 1.5
 """At rest before the first acceleration."""
 BRIDGED_S = 1.0
-"""A longer gap begins anew: too much may have happened."""
+"""A longer gap begins anew: too much may have happened. So does a clock that goes back
+by more."""
 _LEAST_SAMPLES = 15
 _STEADY_STEPS = 1.5
 
@@ -77,10 +78,11 @@ class CausalFilter:
         """
         sample, before = _Sample(time_s, force_mps2, rate_radps), self._last
         step_s = time_s - before.time_s if before else math.inf
-        if not (_is_plausible(sample) and step_s > 0.0):
+        is_anew = before is not None and abs(step_s) > BRIDGED_S
+        if not (_is_plausible(sample) and (step_s > 0.0 or is_anew)):
             self.skipped += 1
             return None
-        if before is not None and step_s > BRIDGED_S:
+        if is_anew:
             self._restart()
         self._last = sample
         if self._filter is not None and before is not None:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture.live.source import OpenedSource, Samples
+from hapticplayer.capture.live.source import ClockRestarted, OpenedSource, Samples
 from hapticplayer.capture.mounting import AS_RECORDED
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError, Message, UsageError, message_of
@@ -145,7 +145,10 @@ class Feel:
     def _read(self) -> None:
         try:
             while not self._stopping.is_set():
-                self._source.read(_READ_S)
+                try:
+                    self._source.read(_READ_S)
+                except ClockRestarted:  # it sends on; who wears it rests once more
+                    self._source.forget_clock()
         except HapticPlayerError as problem:
             self._problem = message_of(problem)
 
@@ -178,7 +181,7 @@ class Feel:
     def _add(self, stamp_s: float, accel: Floats, rate: Floats) -> Floats | None:
         if np.isfinite(rate).all():
             self._rate, self._rate_s = rate, stamp_s
-        elif stamp_s - self._rate_s <= _HELD_S:
+        elif abs(stamp_s - self._rate_s) <= _HELD_S:
             rate = self._rate  # of a sensor with a stamp of its own
         return self._filter.add(stamp_s, accel, rate)
 

@@ -191,6 +191,10 @@ class ByteSource:
         count: of samples without stamps.
         where: for people.
         remedy: when bytes come that hold no sample.
+
+    Attributes:
+        is_stamped: whether samples carry the time of the sender's clock; else they are
+            counted.
     """
 
     def __init__(
@@ -204,7 +208,7 @@ class ByteSource:
     ) -> None:
         self._link, self._decoder, self._clock = link, decoder, clock
         self._count, self._where, self._remedy = count, where, remedy
-        self._is_stamped = False
+        self.is_stamped = False
         self._unread, self._unread_since_s = 0, clock.now_s()
         self._read_s = self._unread_since_s
 
@@ -231,8 +235,8 @@ class ByteSource:
 
     def _stamps(self, readings: list[Reading], arrival_s: float) -> list[float]:
         own = [one.stamp_s for one in readings]
-        self._is_stamped = self._is_stamped or bool(np.isfinite(own).any())
-        if self._is_stamped:
+        self.is_stamped = self.is_stamped or bool(np.isfinite(own).any())
+        if self.is_stamped:
             return own
         return self._count.stamps(len(readings), arrival_s)
 

@@ -13,7 +13,7 @@ from hapticplayer.capture.live.source import (
 )
 from hapticplayer.capture.live.source_clock import SourceClock
 from hapticplayer.capture.mounting import AS_RECORDED
-from hapticplayer.capture.recorded import COLUMNS, SourceClockLine
+from hapticplayer.capture.recorded import COLUMNS, COUNT, SOURCE, SourceClockLine
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.model.arrays import Floats
@@ -21,7 +21,8 @@ from hapticplayer.model.arrays import Floats
 SHOWN_S = 10.0
 """That a window can show."""
 
-_FORMAT = ",".join(["%.9f", *["%.9g"] * (len(COLUMNS) - 2), "%.6f"]) + "\n"
+_DIGITS = 9
+_FORMAT = ",".join([f"%.{_DIGITS}f", *["%.9g"] * (len(COLUMNS) - 2), "%.6f"]) + "\n"
 _MOST_SHOWN = 200  # batches
 _BATCH_S = 0.1
 
@@ -41,10 +42,9 @@ class ImuFile:
 
     def __init__(self, path: Path, source: LiveSource, zero_s: float) -> None:
         self._source, self._zero_s = source, zero_s
-        self._axes, self.stamped_by = AS_RECORDED, "source"
+        self._axes = AS_RECORDED
         if isinstance(source, OpenedSource):
             self._axes = source.declares.axes
-            self.stamped_by = "source" if source.row.has_stamps else "count"
         self._stretches: list[tuple[float, SourceClock]] = []
         self._lost: HapticPlayerError | None = None
         self._file = path.open("xb")
@@ -71,6 +71,10 @@ class ImuFile:
         return self._take([part for part in parts if len(part.stamp_s)])
 
     @property
+    def stamped_by(self) -> str:
+        return SOURCE if getattr(self._source, "is_stamped", True) else COUNT
+
+    @property
     def stretches(self) -> int:
         """How many clocks it has had so far."""
         return len(self._stretches)
@@ -79,16 +83,15 @@ class ImuFile:
         """Take what comes next by another clock."""
         self._origin_s = None
 
-    def _begin(self, stamp_s: float, arrival_s: float) -> float:
-        """Begin a stretch, the first one at 0 of the file; the stamp of that 0."""
-        begin_s = 0.0
-        if self._stretches:
-            begin_s = self._last_s + max(_BATCH_S, arrival_s - self._last_arrival_s)
-        clock = SourceClock()
-        if isinstance(self._source, OpenedSource):
-            clock = self._source.new_clock()
-        self._stretches.append((begin_s, clock))
-        return stamp_s - begin_s
+    def _begin_s(self, arrival_s: float) -> float:
+        """Where a stretch begins in the file, the first one at 0."""
+        if not self._stretches:
+            return 0.0
+        return self._last_s + max(_BATCH_S, arrival_s - self._last_arrival_s)
+
+    def _new_clock(self) -> SourceClock:
+        source = self._source
+        return source.new_clock() if isinstance(source, OpenedSource) else SourceClock()
 
     def _take(self, parts: list[Samples]) -> tuple[Floats, Floats]:
         if not parts:
@@ -96,11 +99,15 @@ class ImuFile:
         joined = Samples(*map(np.concatenate, zip(*parts, strict=True)))
         samples = joined.in_frame_a(self._axes)
         arrival_s = samples.arrival_s - self._zero_s
-        if self._origin_s is None:
-            self._origin_s = self._begin(float(samples.stamp_s[0]), float(arrival_s[0]))
-        time_s = samples.stamp_s - self._origin_s
-        clock = self._stretches[-1][1]
+        if is_new := self._origin_s is None:
+            begin_s = self._begin_s(float(arrival_s[0]))
+            self._origin_s = float(samples.stamp_s[0]) - begin_s
+        # as written, for what compares rows with the beginning of a stretch
+        time_s = np.round(samples.stamp_s - self._origin_s, _DIGITS)
+        clock = self._new_clock() if is_new else self._stretches[-1][1]
         clock.add(time_s, arrival_s)
+        if is_new:  # with its first pairs: others describe the stretches meanwhile
+            self._stretches.append((float(time_s[0]), clock))
         self._last_s, self._last_arrival_s = float(time_s[-1]), float(arrival_s[-1])
         self._write(time_s, samples, arrival_s)
         media_s = np.asarray(clock.host_s(time_s))

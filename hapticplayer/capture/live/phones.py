@@ -42,7 +42,7 @@ Event = tuple[str, float, tuple[float, ...]]
 
 _Nanoseconds = Annotated[int, Meta(ge=-(1 << 62), le=1 << 62)]
 _POLL_S, _POLL_TIMEOUT_S = 0.05, 1.0
-_AGAIN_S = 1.0
+_AGAIN_S, _CLOSING_S = 1.0, 2.0
 GRAVITY_S = 2.0
 """Within which Sensor Logger has sent each of its sensors."""
 _MOST_BYTES, _MOST_WAITING = 8 << 20, 1000
@@ -79,17 +79,12 @@ class Queued:
             self._waiting.put_nowait(read)
 
     def read(self, timeout_s: float) -> Samples:
-        try:
+        with contextlib.suppress(queue.Empty):
             arrival_s, events = self._waiting.get(timeout=max(0.0, timeout_s))
-        except queue.Empty:
-            return self.join.take()
-        while True:
-            for sensor, stamp_s, values in events:
-                self.join.add(sensor, stamp_s, values, arrival_s)
-            try:
+            while True:
+                for sensor, stamp_s, values in events:
+                    self.join.add(sensor, stamp_s, values, arrival_s)
                 arrival_s, events = self._waiting.get_nowait()
-            except queue.Empty:
-                break
         samples = self.join.take()
         if self._problem is not None and not len(samples.stamp_s):
             raise self._problem
@@ -140,13 +135,18 @@ def phyphox_buffers(content: bytes, where: str) -> Buffers:
 
 
 def phyphox_query(buffers: Buffers, after_s: dict[str, float]) -> str:
-    """The request for what is newer than the last of each sensor."""
-    parts = []
-    for sensor, (time, *axes) in buffers.items():
-        since = f"{after_s[sensor]:.9g}" if sensor in after_s else "full"
+    """The request for what is newer than the last of each sensor.
+
+    Without a last one only for that: the whole of an hour would be too large.
+    """
+    parts: list[str] = []
+    for sensor, names in buffers.items():
+        if sensor not in after_s:
+            parts += map(quote, names)
+            continue
+        since, (time, *axes) = f"{after_s[sensor]:.9g}", names
         parts.append(f"{quote(time)}={since}")
-        limit = "full" if since == "full" else quote(f"{since}|{time}")
-        parts += [f"{quote(axis)}={limit}" for axis in axes]
+        parts += [f"{quote(axis)}={quote(f'{since}|{time}')}" for axis in axes]
     return f"/get?{'&'.join(parts)}"
 
 
@@ -223,7 +223,7 @@ class PhyphoxSource:
 
     def close(self) -> None:
         self._stop.set()
-        self._thread.join()
+        self._thread.join(_CLOSING_S)  # one who answers byte by byte is not waited for
         self._client.close()
 
 

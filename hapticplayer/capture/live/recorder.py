@@ -22,7 +22,7 @@ from hapticplayer.capture.live.source import (
     SourceLost,
 )
 from hapticplayer.capture.live.stream_watch import StreamWatch
-from hapticplayer.capture.recorded import CLIP, LOG, Gap, Stream, Take
+from hapticplayer.capture.recorded import CLIP, LOG, SOURCE, Gap, Stream, Take
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import (
     HapticPlayerError,
@@ -385,7 +385,7 @@ class Recorder:
             if self._source is None
             else Stream(
                 source,
-                self._log.stamped_by if self._log else "source",
+                self._log.stamped_by if self._log else SOURCE,
                 0.0,
                 motion.count,
                 motion.dropped,

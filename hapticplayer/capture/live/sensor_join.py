@@ -41,7 +41,9 @@ class SensorJoin:
         if sensor == ACCEL and stamp_s < self._last_s - _ANEW_S:
             self._begin_anew()
         first_s = self._last_s if sensor == ACCEL else self._last_s - _BEFORE_S
-        if stamp_s > first_s:
+        # one far ahead would stand before all that follow
+        is_ahead = stamp_s > self._last_s + _ANEW_S > -math.inf and sensor != ACCEL
+        if stamp_s > first_s and not is_ahead:
             x, y, z = values
             bisect.insort(held, (stamp_s, arrival_s, (x, y, z)))
             del held[:-_MOST]

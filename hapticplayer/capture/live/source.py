@@ -41,6 +41,9 @@ CHECKED_S = 30.0
 _WINDOW_S, _LATE_S, _EVENLY_S, _MOST_DRIFT = 3.0, 0.5, 0.05, 2e-4
 _BACK_S = 0.5
 """Stamps that go back by less come out of order; by more the clock restarted."""
+USUAL_DELAY_S = 0.001
+_BACKLOG_S = 60.0
+"""That a source may have kept before it is heard: its first samples are so late."""
 
 
 class Samples(NamedTuple):
@@ -182,7 +185,6 @@ class SourceRow:
         declares: its axes, sign and units.
         example: of a place.
         options: that may follow it, for people.
-        has_stamps: its samples carry the time of its own clock.
         least_delay_s: what its link may take at least, which no envelope shows.
     """
 
@@ -192,8 +194,7 @@ class SourceRow:
     declares: Declaration = field(default_factory=Declaration)
     example: str = ""
     options: str = ""
-    has_stamps: bool = True
-    least_delay_s: float = 0.001
+    least_delay_s: float = USUAL_DELAY_S
 
 
 _HERE = "hapticplayer.capture.live"
@@ -209,11 +210,11 @@ _WIFI_S = 0.006
 
 SOURCES: tuple[SourceRow, ...] = (
     SourceRow("wt901", Message("WitMotion WT901 and others with its protocol"), f"{_HERE}.serial_imus:open_wt901",
-        Declaration(axes_words=Message("x right, y front, z up, as printed on it")), _PORT, "`baud` (9600), `rate` (100 or 200: sets it, after asking)", has_stamps=False),
+        Declaration(axes_words=Message("x right, y front, z up, as printed on it")), _PORT, "`baud` (9600), `rate` (100 or 200: sets it, after asking)"),
     SourceRow("razor", Message("Razor-AHRS, text"), f"{_HERE}.serial_imus:open_razor",
-        Declaration("y,x,-z", _FIRMWARE), _PORT, "`baud` (57600)", has_stamps=False),
+        Declaration("y,x,-z", _FIRMWARE), _PORT, "`baud` (57600)"),
     SourceRow("razor-binary", Message("Razor-AHRS, binary"), f"{_HERE}.serial_imus:open_razor_binary",
-        Declaration("y,x,-z", _FIRMWARE), _PORT, "`baud` (57600)", has_stamps=False),
+        Declaration("y,x,-z", _FIRMWARE), _PORT, "`baud` (57600)"),
     SourceRow("ultimate-imu", Message("SparkFun Ultimate IMU, text of its stock firmware"), f"{_HERE}.serial_imus:open_ultimate_imu",
         Declaration(axes_words=_BOARD), _PORT, "`baud` (57600)"),
     SourceRow("csv", Message("Lines of CSV on standard input (`-`) or a port"), f"{_HERE}.serial_imus:open_csv",
@@ -233,6 +234,14 @@ SOURCES: tuple[SourceRow, ...] = (
 def live_sources() -> tuple[SourceRow, ...]:
     """Those of the core and of extensions."""
     return tuple(extension.rows("live_sources", SourceRow, SOURCES))
+
+
+def new_clock(text: str, *, is_stamped: bool) -> SourceClock:
+    """A clock for the stamps of a source, which knows how far its rate may be off."""
+    name = text.partition(":")[0]
+    delays = (row.least_delay_s for row in live_sources() if row.name == name)
+    least_s = next(delays, USUAL_DELAY_S)
+    return SourceClock(QUARTZ_SIGMA if is_stamped else COUNTED_SIGMA, least_s)
 
 
 def serial_ports() -> list[str]:
@@ -277,16 +286,20 @@ class OpenedSource:
         """What a person does at the other end to start it; "" for nothing."""
         return cast(Message, getattr(self._inner, "how", Message("")))
 
+    @property
+    def is_stamped(self) -> bool:
+        """Whether its samples carry the time of its own clock; else they are counted."""
+        return bool(getattr(self._inner, "is_stamped", True))
+
     def new_clock(self) -> SourceClock:
-        """A clock for its stamps, which knows how far its rate may be off."""
-        sigma = QUARTZ_SIGMA if self.row.has_stamps else COUNTED_SIGMA
-        return SourceClock(sigma, self.row.least_delay_s)
+        return new_clock(self.text, is_stamped=self.is_stamped)
 
     def forget_clock(self) -> None:
         """Take what comes next by a clock that begins anew."""
         self._recent: deque[Samples] = deque()
         self._last_s = -np.inf
         self._window, self._before_s, self._best_s = (-np.inf, np.inf), np.inf, np.inf
+        self._first_s = np.inf
 
     def open_again(self) -> None:
         """Open what was lost, with a new clock; what a person has allowed still holds.
@@ -312,10 +325,12 @@ class OpenedSource:
         return samples
 
     def _in_si(self, samples: Samples) -> Samples:
+        samples = samples.where(np.isfinite(samples.stamp_s))
+        if self.is_stamped and len(samples.stamp_s):
+            samples = self._without_early(samples)
+            self._refuse_another_clock(samples)
         if not len(samples.stamp_s):
             return samples
-        if self.row.has_stamps:
-            self._refuse_another_clock(samples)
         samples = samples.where(self._in_order(samples.stamp_s))
         accel, rate = own_axes((samples.accel_mps2, samples.rate_radps), self._choices)
         sign = -1.0 if self.declares.accel_sign == "-" else 1.0
@@ -325,6 +340,25 @@ class OpenedSource:
             is_sane = np.all(np.abs(accel) <= MAX_ACCELERATION_MPS2, axis=1)
         samples = samples._replace(accel_mps2=accel, rate_radps=rate)
         return samples.where(np.asarray(is_sane))
+
+    def _without_early(self, samples: Samples) -> Samples:
+        """Those that do not come before they were measured, as with a garbled stamp.
+
+        Raises ClockRestarted where the last one does: its clock was set.
+        """
+        delay_s = samples.arrival_s - samples.stamp_s
+        least_s = self._best_s - _LATE_S
+        if not np.isfinite(least_s):
+            self._first_s = min(self._first_s, float(delay_s[0]))
+            least_s = self._first_s - _BACKLOG_S
+        if delay_s[-1] < least_s:
+            raise ClockRestarted(
+                "its clock jumped ahead by {early_s:.3g} s",
+                where=self.text,
+                remedy="see that nothing sets it, and the unit of its times",
+                early_s=least_s - float(delay_s[-1]),
+            )
+        return samples.where(delay_s >= least_s)
 
     def _refuse_another_clock(self, samples: Samples) -> None:
         """Raise ClockRestarted where it stood still, as in a pause of its app.

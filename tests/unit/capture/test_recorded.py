@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 
 from hapticplayer.capture import read_recording
+from hapticplayer.capture.live.source_clock import SourceClock
 from hapticplayer.capture.recorded import (
     CLIP,
     COLUMNS,
+    COUNT,
     LOG,
     SourceClockLine,
     Stream,
@@ -62,11 +64,11 @@ def make_take(tmp_path, rng):
         (folder / LOG).write_text(f"{','.join(COLUMNS)}\n{rows}{tail}")
         if clip:
             write_clip(folder / CLIP, is_killed=is_killed)
+        more = {"imu": Stream("wt901:/dev/ttyUSB0", "source"), **more}
         Take(
             began="2026-11-27T15:00:00+00:00",
             is_finished=not is_killed,
             camera=Stream("/dev/video0", "monotonic") if clip else None,
-            imu=Stream("wt901:/dev/ttyUSB0", "source"),
             clock=None if is_killed else SourceClockLine(FIRST_S, 1 + PPM, 0.002),
             **more,
         ).write(folder)
@@ -114,6 +116,56 @@ def test_each_stretch_of_a_log_goes_by_its_own_clock(make_take, is_killed):
     assert recording.imu.time_s[-1] == pytest.approx(media_s + 599 / 200, abs=0.001)
     assert recording.imu.time_s[0] == pytest.approx(FIRST_S, abs=0.006)
     assert len(finished(folder).restarts) == 1
+
+
+def test_a_killed_recording_of_counted_samples_has_their_rate(make_take):
+    """A board without stamps that is 0.4 % faster than its rate says."""
+    folder = make_take(is_killed=True, imu=Stream("wt901:/dev/ttyUSB0", COUNT))
+    time_s = np.arange(20_000) / 200.0
+    (folder / LOG).write_text(
+        "\n".join(
+            [
+                ",".join(COLUMNS),
+                *(f"{t:.9f},0,0,9.81,0,0,0,{t / 1.004 + 0.003:.6f}" for t in time_s),
+                "",
+            ]
+        )
+    )
+    media_s = read_recording(parts_of(folder).log).imu.time_s
+    assert media_s == pytest.approx(time_s / 1.004 + 0.003, abs=0.002)
+
+
+@pytest.mark.parametrize("damage", [b"\0" * 50, b"1.0,2.0", b"1,x,0,0,0,0,0,1", b"nan,0,0,9.8,0,0,0,1", b"1e9,0,0,9.8,0,0,0,1"])  # fmt: skip
+def test_damaged_rows_of_a_killed_recording_are_counted(make_take, tmp_path, damage):
+    folder = make_take(is_killed=True)
+    head, first, *rows = (folder / LOG).read_bytes().split(b"\n")
+    linked = tmp_path / "elsewhere"
+    linked.write_bytes(content := b"\n".join([head, first, damage, *rows]))
+    (folder / LOG).unlink()
+    (folder / LOG).symlink_to(linked)
+    assert len(read_recording(parts_of(folder).log).imu) == 600
+    assert any("left out: 1." in one for one in finished(folder).notices)
+    assert linked.read_bytes() == content
+
+
+def test_a_kill_before_the_second_row_leaves_the_video(make_take):
+    later = SourceClockLine(0.0, begin_s=0.004)
+    folder = make_take(is_killed=True, restarts=[later])
+    log = (folder / LOG).read_text().split("\n")
+    (folder / LOG).write_text("\n".join([*log[:3], ""]))
+    assert parts_of(folder).log is None
+
+
+def test_names_that_are_not_utf_8_leave_a_readable_recording(make_take):
+    folder = make_take(notices=["/tmp/caf\udce9 cannot be written \\udce9"])
+    assert finished(folder).notices == ["/tmp/caf? cannot be written \\udce9"]
+
+
+def test_a_clock_of_which_little_is_known_can_be_read_again(make_take):
+    clock = SourceClock()
+    clock.add(np.arange(0.0, 400.0, 2.0), np.maximum(np.arange(0.0, 400.0, 2.0), 390.0))
+    line = SourceClockLine.of(clock, 0.0)
+    assert read_recording(make_take(restarts=[line])).clock_map.residual_s == 60.0
 
 
 def probe_fails(folder):

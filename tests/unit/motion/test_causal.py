@@ -93,6 +93,12 @@ def test_a_turn_in_a_short_gap_counts(sensor):
     assert after[0] == pytest.approx([0.0, 0.0, 0.0], abs=0.15)
 
 
+def test_after_a_clock_went_back_the_sensor_has_to_rest_again(sensor):
+    sensor.time_s -= BRIDGED_S + 1.0
+    assert sensor.add(0.5)[-1] is None
+    assert sensor.add(REST_S)[-1] == pytest.approx([0.0, 0.0, 0.0], abs=0.02)
+
+
 def test_after_a_long_gap_the_sensor_has_to_rest_again(sensor):
     sensor.time_s += BRIDGED_S
     assert sensor.add(0.5)[-1] is None

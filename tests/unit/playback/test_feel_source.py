@@ -7,6 +7,7 @@ import pytest
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.live.source import (
     SOURCES,
+    ClockRestarted,
     OpenedSource,
     Samples,
     SourceLost,
@@ -26,9 +27,12 @@ class Inner:
     """A source whose samples a test sets."""
 
     def __init__(self):
-        self.rows, self.is_lost = [], False
+        self.rows, self.is_lost, self.is_another = [], False, False
 
     def read(self, _timeout_s):
+        if self.is_another:
+            self.is_another = False
+            raise ClockRestarted("its clock restarted", where="port")
         if self.is_lost:
             raise SourceLost("was unplugged or closed", where="port", remedy="connect")
         rows, self.rows = self.rows, []
@@ -176,7 +180,7 @@ def test_a_source_in_jerks_says_so_until_it_is_silent(desk, step_s):
 
 def test_a_source_that_is_lost_says_why():
     desk = Desk()
-    desk.inner.is_lost = True
+    desk.inner.is_lost = desk.inner.is_another = True  # which it reads beyond
     desk.feel_.start()  # with a thread of its own
     desk.feel_.stop()
     state = desk.feel_.snapshot()

@@ -73,7 +73,7 @@ def test_the_buffers_of_an_experiment_are_asked_for_what_is_new():
     assert buffers[RATE] == ("gyr_time", "gyrX", "gyrY", "gyrZ")
     assert phones.phyphox_query(buffers, {ACCEL: 12.345678}) == (
         "/get?acc_time=12.345678&accX=12.345678%7Cacc_time&accY=12.345678%7Cacc_time"
-        "&accZ=12.345678%7Cacc_time&gyr_time=full&gyrX=full&gyrY=full&gyrZ=full"
+        "&accZ=12.345678%7Cacc_time&gyr_time&gyrX&gyrY&gyrZ"
     )
     events = list(phones.phyphox_events(ANSWER, buffers, "x"))
     assert events[0] == (ACCEL, 0.01, (0.1, 0.0, 9.8))
@@ -124,6 +124,27 @@ def test_sensors_are_joined_by_their_times():
     assert samples.arrival_s.tolist() == [7.0, 8.0, 9.0]
     join.add(ACCEL, 1.0, (0, 0, 9.8), 20.0)  # the gyroscope has stopped
     assert np.isnan(join.take().rate_radps).all()
+
+
+def test_a_rate_of_a_far_time_hides_none_of_the_others():
+    join = SensorJoin()
+    for k in range(30):
+        join.add(RATE, 0.02 * k, (k, 0, 0), 0.02 * k)
+        join.add(ACCEL, 0.02 * k - 0.01, (0, 0, 9.8), 0.02 * k)
+        join.add(RATE, 1e9, (0, 0, 0), 0.02 * k) if k == 9 else None
+        join.add(ACCEL, 0.02 * k + 0.005, (0, 0, 9.8), 0.02 * k)
+        rate = join.take().rate_radps
+    assert rate[-1, 0] == pytest.approx(28.5)
+
+
+def test_a_problem_is_told_after_the_samples_before_it():
+    queued = phones.Queued(SystemClock(), SensorJoin(), "x")
+    events = [(sensor, 1.0, (0.0, 0.0, 9.8)) for sensor in (RATE, ACCEL)]
+    queued.put(events, 1.0)
+    queued.fail(SourceLost("has ended", where="x"))
+    assert len(queued.read(0.0).stamp_s) == 1
+    with pytest.raises(SourceLost, match="has ended"):
+        queued.read(0.0)
 
 
 TEXTS = (CONFIG, ANSWER, SERVER_MESSAGE, IOS)
@@ -220,7 +241,7 @@ def test_phyphox_is_started_and_asked_for_what_is_new():
         assert rows[0, 1:] == pytest.approx([1.01, 0.1, 0.0, 9.8, 2.0, 0.0, 0.0])
         assert abs(rows[0, 0] - clock.now_s()) < 5.0
         assert asked[1] == "/control?cmd=start"
-        assert parse_qs(urlsplit(asked[2]).query)["acc_time"] == ["full"]
+        assert urlsplit(asked[2]).query.startswith("acc_time&accX")
         assert parse_qs(urlsplit(asked[3]).query)["acc_time"] == ["0.02"]
     assert not len(source.read(0.1).stamp_s)  # it sleeps, and is asked again
     source.close()

@@ -4,6 +4,7 @@ import pytest
 from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.live import recorder
 from hapticplayer.capture.live.source import (
+    ClockRestarted,
     OpenedSource,
     Samples,
     SourceLost,
@@ -165,6 +166,36 @@ def test_a_clock_that_stood_still_ends_the_source():
 
 def test_a_link_that_was_down_catches_up_and_is_believed():
     sent = [at(100.0 + (t if t < 20.0 else max(t, 30.0 + 0.3 * (t - 20.0))), t) for t in np.arange(0.0, 60.0, 0.25)]  # fmt: skip
+    assert len(read_all(sent)) == len(sent)
+
+
+@pytest.mark.parametrize("begin_s", [1.0, 9.0])
+@pytest.mark.parametrize("place", [1, 3])
+@pytest.mark.parametrize("stamp_s", [1e9, 1e300, np.inf, np.nan, -np.inf])
+def test_a_garbled_stamp_takes_no_other_samples_along(stamp_s, place, begin_s):
+    sent = [rows(*(0.25 * k + 0.05 * j for j in range(4))) for k in range(60)]
+    sent[round(4 * begin_s)].stamp_s[place] = stamp_s
+    source = OpenedSource("board:x", ROW, Sent(*sent), LogChoices())
+    found, restarts = [], 0
+    for _ in sent:
+        try:
+            found += source.read(0.0).stamp_s.tolist()
+        except ClockRestarted:
+            restarts += 1
+            source.forget_clock()
+    assert restarts <= 1
+    assert len(found) >= 4 * len(sent) - 5
+    assert set(found) <= {one for part in sent for one in part.arrival_s}
+
+
+def test_a_clock_that_was_set_ahead_is_another_one():
+    times = np.arange(0.0, 20.0, 0.25)
+    with pytest.raises(ClockRestarted, match=r"jumped ahead by 9\.5 s"):
+        read_all([at(100.0 + t, t if t < 10.0 else t + 10.0) for t in times])
+
+
+def test_what_a_source_kept_before_it_was_heard_is_believed():
+    sent = [at(100.0 + max(t, 20.0), t) for t in np.arange(0.0, 40.0, 0.25)]
     assert len(read_all(sent)) == len(sent)
 
 
