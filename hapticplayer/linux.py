@@ -10,6 +10,7 @@ import contextlib
 import ctypes
 import enum
 import os
+import re
 import resource
 import struct
 import tempfile
@@ -96,7 +97,7 @@ def give_fifo(pid: int, priority: int) -> bool:
 
 def knows_slices() -> bool:
     system = os.uname()
-    release = tuple(int(part) for part in system.release.split(".")[:2])
+    release = tuple(map(int, re.findall(r"\d+", system.release)[:2]))  # 6.12-rc1
     return system.machine in _SCHED_SETATTR and release >= _SLICE_SINCE
 
 

@@ -134,6 +134,23 @@ def test_removing_leaves_only_what_others_have_put_there(installed):
     assert not (installed / "icons").exists()
 
 
+def test_what_cannot_be_removed_is_named(installed, capsys):
+    place = installed / command.MAN
+    place.unlink()
+    place.mkdir()
+    assert cli.main(["desktop", "remove"]) == 1
+    assert str(place) in capsys.readouterr().err
+
+
+def test_a_kind_of_file_of_another_program_stays(installed, tmp_path):
+    if shutil.which("update-mime-database") is None:
+        pytest.skip("update-mime-database is not on this machine")
+    theirs = installed / "mime" / "packages" / "theirs.xml"
+    theirs.write_bytes((FOLDER / "hapticplayer.xml").read_bytes())
+    assert cli.main(["desktop", "remove"]) == 0
+    assert (installed / command.KEPT).is_file()
+
+
 def test_the_man_page_has_every_command_and_option():
     page = man_page().replace(r"\-", "-")
     for name, words in (("play", "--allow-network"), ("study analyse", "--missing")):

@@ -1,6 +1,7 @@
 """What only Linux gives, and how the program is without it."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from hapticplayer.facilities import FACILITIES, has, session_bus
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.processes import HapticsProcesses
-from hapticplayer.linux import CPU_LATENCY, SWITCH
+from hapticplayer.linux import CPU_LATENCY, SWITCH, knows_slices
 from hapticplayer.model import ForceTrack
 from tests.unit.haptics.test_process import follow
 
@@ -73,6 +74,15 @@ def test_the_doctor_tells_a_facility_that_is_taken_away(monkeypatch, name):
     assert not check.ok
     assert check.detail == FACILITIES[name].without
     assert SWITCH in check.remedy
+
+
+@pytest.mark.parametrize(
+    ("release", "knows"), [("6.12-rc1", True), ("6.12+", True), ("6.1.0-28-amd64", False), ("7", True), ("", False)]
+)  # fmt: skip
+def test_every_name_of_a_kernel_is_understood(monkeypatch, release, knows):
+    system = SimpleNamespace(machine="x86_64", release=release)
+    monkeypatch.setattr("os.uname", lambda: system)
+    assert knows_slices() == knows
 
 
 def test_the_session_bus_is_taken_away(monkeypatch):

@@ -2,7 +2,6 @@
 
 import argparse
 import contextlib
-import os
 import re
 import shutil
 import subprocess
@@ -14,6 +13,7 @@ from hapticplayer.cli.common import say
 from hapticplayer.errors import InputError, shell_line
 from hapticplayer.extras.desktop.man_page import man_page
 from hapticplayer.shipped import IS_CLONE, ROOT, UDEV_RULE, shipped
+from hapticplayer.storage import data_home
 
 RESOURCES = shipped("resources/desktop")
 ENTRY = "hapticplayer.desktop"
@@ -79,12 +79,12 @@ def remove(prefix: Path | None) -> int:
     """Remove the files, and the folders that become empty."""
     share = share_of(prefix)
     paths = [share / place for place in (*PLACES, MAN)]
-    for path in paths:
-        path.unlink(missing_ok=True)
+    for path in (*paths, share / KEPT):
+        with _named(path):
+            path.unlink(missing_ok=True)
     if prefix is None:
-        _update_caches(share)
+        _update_caches(share)  # which makes KEPT anew where others have that type, too
         say(f"removed below {share}")
-    (share / KEPT).unlink(missing_ok=True)
     for path in (*paths, share / KEPT):
         with contextlib.suppress(OSError):  # the first that holds something else
             for folder in _folders_between(path, share):
@@ -95,7 +95,7 @@ def remove(prefix: Path | None) -> int:
 def share_of(prefix: Path | None) -> Path:
     if prefix is not None:
         return prefix / "share"
-    return Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local/share")
+    return data_home().parent
 
 
 def own_command() -> Path:
@@ -115,9 +115,15 @@ def starting(entry: str, command: Path) -> str:
 
 
 def _write(path: Path, text: str) -> None:
-    try:
+    with _named(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
+
+
+@contextlib.contextmanager
+def _named(path: Path) -> Iterator[None]:
+    try:
+        yield
     except OSError as problem:
         raise InputError(
             "cannot be written ({reason})",
