@@ -25,7 +25,7 @@ MAX_COMMAS, MAX_BRACKETS = 3_000_000, 1_000_000
 """So many values and lists fit into 400 MB once they are read."""
 
 MAX_TEXT = 20_000
-KEY = "^[a-z0-9_-]{1,40}$"
+KEY = r"^[a-z0-9_][a-z0-9_-]{0,39}\Z"
 FILLED = r"\S"
 _MAX_SHOWN, _MAX_SAID = 40, 200
 
@@ -196,7 +196,9 @@ def _reworded(said: str, kind: Any) -> Refusal:
             Message("choose one of {known}", known=", ".join(known)),
         )
     if what == "Expected " and KEY in said:
-        remedy = Message("use at most {most} of a-z, 0-9, _ and -", most=40)
+        remedy = Message(
+            "use at most {most} of a-z, 0-9, _ and -, without a - in front", most=40
+        )
         return Message("is not a valid key"), remedy
     if what == "Expected " and FILLED in said:
         return Message("is empty"), _CORRECT

@@ -25,7 +25,7 @@ from hapticplayer.study.reviewing import read_reviewed, text_digest
 from hapticplayer.study.score_answers import RatedAnswers, ScoreAnswers, collect_scores
 from hapticplayer.study.scoring import Limits, PageScores, Scoring
 from hapticplayer.study.session_folder import SessionState, StoredSession
-from hapticplayer.study.sites import site_of
+from hapticplayer.study.sites import known_site
 from hapticplayer.study.steps import (
     AnsweredTrial,
     answered_trials,
@@ -356,7 +356,7 @@ class _SessionAnswers:
         notices: list[str],
     ) -> None:
         self._session, self._definition = session, definition
-        self._rated = rated
+        self._rated, self._notices = rated, notices
         self._tracks = tracks_of(session, notices)
         self._values: dict[str, Any] = {}
         for page in session.definition.pages:
@@ -391,7 +391,7 @@ class _SessionAnswers:
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
             complete=self._session.state is SessionState.COMPLETE,
             simulated=is_simulated(self._session),
-            site=site_of(self._session.folder),
+            site=known_site(self._session.folder, self._notices),
             values=Scoring(self._definition, When.BEFORE, When.AFTER).completed(sheet),
         )
 

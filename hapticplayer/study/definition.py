@@ -511,6 +511,13 @@ class Definition(JsonObject, frozen=True):
         return tuple(levels.get(name, "") for name in self.sequence_factors)
 
     @property
+    def most_conditions(self) -> int:
+        """How many there are at most, without listing them."""
+        repeats = self.staircase.trials if self.staircase else self.repeats
+        of_each = max(1, len(self.levels)) * repeats
+        return len(self.sequences) * len(self.feedbacks) * of_each
+
+    @property
     def conditions(self) -> tuple[Condition, ...]:
         """All conditions, in the order of the definition."""
         as_it_is = (TrialKind.RATING, TrialKind.TWO_INTERVAL)

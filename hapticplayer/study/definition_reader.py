@@ -174,7 +174,9 @@ def _parameter_faults(
 
 def _question_faults(made: Definition) -> Iterator[Fault]:
     """Combinations of entries that do not make a study."""
-    count = len(made.conditions)
+    count = made.most_conditions
+    if count <= MAX_CONDITIONS**2:  # else to list them would take for ever
+        count = len(made.conditions)
     if not 2 <= count <= MAX_CONDITIONS:
         what = Message(
             "must have 2 to {most} conditions, has {count}",

@@ -84,11 +84,16 @@ def _rows(content: bytes) -> tuple[NDArray[np.float64], int]:
     head, *lines = content.decode(errors="replace").split("\n")
     if lines:
         lines.pop()  # empty, or of an interrupted write
-    rows: list[tuple[float, float, float]] = []
+    begin = (-math.inf, math.nan, math.nan)
+    rows = [begin, begin]
     for line in lines:
-        row = _row(line)
-        if row and (not rows or row[0] >= rows[-1][0]):
+        if (row := _row(line)) is None:
+            continue
+        if row[0] < rows[-1][0] and row[0] >= rows[-2][0]:
+            rows.pop()  # its time was damaged: the file goes on before it
+        if row[0] >= rows[-1][0]:
             rows.append(row)
+    del rows[:2]
     columns = np.array(rows, np.float64).reshape(-1, 3).T
     return columns, len(lines) - len(rows) + (bool(lines) and head != HEAD)
 

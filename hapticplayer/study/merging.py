@@ -29,6 +29,7 @@ from hapticplayer.study.sites import (
     refuse_altered,
     refuse_other_package,
     site_content,
+    site_of,
     site_summary,
 )
 from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Consent, Study
@@ -254,6 +255,7 @@ def _refuse_damaged(copied: Path, study: Study, code: str) -> StoredSession:
             first=found.notices[0],
         )
     refuse_altered(study, found)
+    site_of(copied)  # is readable
     return found
 
 

@@ -3,14 +3,15 @@
 import json
 import re
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 import msgspec
+from msgspec import Meta
 
 from hapticplayer import __version__, storage
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import StudyError, UsageError
-from hapticplayer.structures import read_json
+from hapticplayer.structures import convert, read_json
 from hapticplayer.study.definition import (
     Definition,
     JsonObject,
@@ -97,7 +98,7 @@ class Preregistration(JsonObject, frozen=True, kw_only=True):
     clips: dict[str, str]
     orders_sha256: str
     hypotheses: tuple[Line, ...]
-    participants: int
+    participants: Annotated[int, Meta(ge=1, le=10**6)]
     power: PlannedPower | None
     without_power: str
     stop_rule: Line
@@ -218,7 +219,10 @@ def write_plan(
         exclusions=tuple(intended.exclusions),
         analysis=analysis,
         sessions_before=len(study.codes()),
-    ).signed()
+    )
+    # what could not be read again is not written
+    described = json.loads(storage.json_text(msgspec.to_builtins(plan), "replace"))
+    plan = convert(described, Preregistration, str(path), StudyError).signed()
     storage.write_private(path, storage.json_text(msgspec.to_builtins(plan)))
     return plan
 

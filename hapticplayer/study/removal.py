@@ -35,7 +35,8 @@ def finish(sessions: Path, deleted: Path) -> None:
         stone = {"deleted_utc": utc_now_iso()}
         try:
             for path in list(leaving.iterdir()):
-                shutil.rmtree(path) if path.is_dir() else path.unlink()
+                is_folder = path.is_dir() and not path.is_symlink()
+                shutil.rmtree(path) if is_folder else path.unlink()
             storage.make_folder(deleted)
             storage.replace_file(
                 deleted / f"{name}.json",

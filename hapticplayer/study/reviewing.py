@@ -12,7 +12,7 @@ from hapticplayer.errors import StudyError
 from hapticplayer.structures import read_json
 
 REVIEWED = "reviewed.json"
-_Digest = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
+_Digest = Annotated[str, Meta(pattern=r"^[0-9a-f]{64}\Z")]
 
 
 def text_digest(code: str, name: str, text: str) -> str:

@@ -18,7 +18,14 @@ from msgspec import Meta
 
 from hapticplayer import __version__, storage
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import Message, Progress, StudyError, no_progress, part_of
+from hapticplayer.errors import (
+    Message,
+    Progress,
+    StudyError,
+    message_of,
+    no_progress,
+    part_of,
+)
 from hapticplayer.sequence.store import DESCRIPTION, copy_files
 from hapticplayer.structures import convert, decode
 from hapticplayer.study.definition import JsonObject, Key, read_file, refuse
@@ -31,7 +38,7 @@ from hapticplayer.study.study_folder import Study
 MANIFEST, PACKED, SITE = "manifest.json", "packed.json", "site.json"
 """Of a package, of the study that was packed, of a session."""
 _SEQUENCES = "sequences"
-_Sha256 = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
+_Sha256 = Annotated[str, Meta(pattern=r"^[0-9a-f]{64}\Z")]
 _PACK_AGAIN = Message("get the package again, or pack the study again")
 
 
@@ -210,6 +217,15 @@ def site_of(session_folder: Path) -> str:
     if not path.is_file():
         return ""
     return decode(read_file(path), SiteSession, str(path), StudyError).site
+
+
+def known_site(session_folder: Path, notices: list[str]) -> str:
+    """The same; empty where the file is damaged, which adds to the notices."""
+    try:
+        return site_of(session_folder)
+    except StudyError as problem:
+        notices.append(message_of(problem))
+        return ""
 
 
 def site_content(site: str) -> bytes:

@@ -115,6 +115,8 @@ SPOILT = [
     (lambda d: d.update(colour="red"), "'colour'"),
     (lambda d: d["sequences"][1].update(key="bike"), "duplicate key 'bike'"),
     (lambda d: d["sequences"][2].update(key="../etc"), "sequences[2].key"),
+    (lambda d: d["sequences"][2].update(key="bike2\n"), "sequences[2].key"),
+    (lambda d: d["sequences"][2].update(key="-1"), "sequences[2].key"),
     (
         lambda d: d["pages"][1]["questions"][3]["text"].pop("de"),
         "pages[1].questions[3].text",
@@ -215,6 +217,15 @@ def test_a_wrong_field_of_a_study_is_named(template, spoil, place):
         parse(template)
     assert place in str(refusal.value)
     assert "study.json" in str(refusal.value)
+
+
+def test_more_conditions_than_could_be_listed_are_refused(template):
+    title = template["sequences"][0]["title"]
+    for name, rest in (("sequences", {"title": title, "folder": ""}), ("feedbacks", {"condition": "delayed"})):  # fmt: skip
+        template[name] = [{"key": f"k{number}", **rest} for number in range(2000)]
+    template |= {"trial": "yes-no", "levels": [{"gain": 1.0}] * 2000, "repeats": 100}
+    with pytest.raises(StudyError, match="must have 2 to 400 conditions, has 8000000"):
+        parse(template)
 
 
 @pytest.mark.parametrize(

@@ -133,6 +133,7 @@ def test_the_plan_is_a_document_and_is_written_once(study, capsys):
         "--participants=12",
         "--studies=100",
         "--hypothesis=qoe: realistic > random",
+        "--exclude=caf\udce9",  # typed where the terminal was not UTF-8
     )
     assert preregister(study, *words) == 0
     page = (study.folder / "preregistration.html").read_text()
@@ -141,6 +142,7 @@ def test_the_plan_is_a_document_and_is_written_once(study, capsys):
     for text in (
         "H1: qoe: realistic &gt; random. Tested by Wilcoxon",
         "12 trials (rating)",
+        "caf?",
         "more than 2 % of the frames were dropped",
         "Power of 12 participants",
         plan["sha256"],
@@ -158,6 +160,8 @@ def test_the_plan_is_a_document_and_is_written_once(study, capsys):
         (["--hypothesis=qoe: realistic > loud"], "there is no 'loud'"),
         (["--without-power=none"], "needs --participants"),
         (["--measure=speed"], "--pilot"),
+        (["--without-power=none", "--participants=-3"], "participants: must be at"),
+        (["--without-power=none", "--participants=9", "--stop-rule= "], "is empty"),
         (["--effect=0.1", "--largest=5", "--studies=100"], "too few for a power"),
     ],
 )

@@ -10,7 +10,7 @@ from hapticplayer.errors import InputError, StudyError
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.merging import merge_sessions
-from hapticplayer.study.sites import MANIFEST, PACKED, check_package, pack_study
+from hapticplayer.study.sites import MANIFEST, PACKED, SITE, check_package, pack_study
 from hapticplayer.study.study_export import export_study
 from hapticplayer.study.study_folder import begin_session, open_study
 from tests.unit.study.conftest import tree
@@ -85,6 +85,18 @@ def test_sites_come_together_with_their_names(packed, scripted, tmp_path, capsys
     assert again.same == tuple(codes["berlin"])
 
 
+def test_one_folder_that_is_refused_leaves_the_study_as_it_was(
+    packed, tmp_path, manual_clock, capsys
+):
+    study, package = packed
+    begin_session(site(package, tmp_path / "good"), "en", {}, manual_clock)
+    for bad in (f"a b={tmp_path / 'good'}", str(tmp_path / "none")):
+        words = [str(study.folder), str(tmp_path / "good"), bad]
+        assert cli.main(["study", "merge", *words]) == 1
+        assert capsys.readouterr().err
+        assert study.codes() == []
+
+
 def test_an_altered_definition_is_not_merged(packed, scripted, tmp_path):
     study, package = packed
     other = site(package, tmp_path / "site")
@@ -111,6 +123,24 @@ def test_a_session_that_played_other_clips_is_not_merged(
     begin_session(other, "en", {"bike": "0" * 64}, manual_clock)
     (conflict,) = merge_sessions(study, other).conflicts
     assert "played another sequence 'bike'" in conflict
+
+
+def test_a_damaged_name_of_a_site_costs_no_answers(study, scripted):
+    code = scripted(study)
+    (study.session_folder(code) / SITE).write_text('{"site": "a b"}')
+    answers = read_answers(study.folder)
+    assert [(one.code, one.site) for one in answers.participants] == [(code, "")]
+    assert any(SITE in one for one in answers.notices)
+
+
+def test_a_session_with_a_damaged_site_is_not_merged(packed, tmp_path, manual_clock):
+    study, package = packed
+    other = site(package, tmp_path / "site")
+    code = begin_session(other, "en", {}, manual_clock).code
+    (other.session_folder(code) / SITE).write_text('{"site": 3}')
+    (conflict,) = merge_sessions(study, other).conflicts
+    assert SITE in conflict
+    assert study.codes() == []
 
 
 def test_a_site_reports_devices_and_latencies(study, tmp_path, manual_clock):

@@ -147,6 +147,7 @@ def test_a_deleted_participant_leaves_a_count_and_nothing_else(study, scripted):
 def test_a_deletion_that_was_interrupted_is_finished_once(study, scripted):
     code = scripted(study)
     folder = study.session_folder(code)
+    (folder / "link").symlink_to(study.folder)  # to what is not of this session
     folder.rename(folder.with_name(".leaving-0123456789abcdef"))
     for _ in range(2):
         study = open_study(study.folder)

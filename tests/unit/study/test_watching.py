@@ -150,13 +150,14 @@ def test_damaged_and_foreign_files_of_ratings_are_named(running):
     path = folder / "ratings-01-1-match.csv"
     lines = path.read_text().splitlines()
     whole = len(lines) - 1
-    spoilt = [*lines[:5], "nonsense", "1e300,0,1", lines[2], *lines[5:], "5,5"]
+    ahead = "9e8,0,1"  # its time is damaged, and those behind it are not
+    spoilt = [*lines[:5], "nonsense", "1e300,0,1", lines[2], ahead, *lines[5:], "5,5"]
     path.write_text("\n".join(spoilt))
     (folder / "ratings-99-1-match.csv").write_text("")
     found, notices = tracks(running)
     assert len(found["match"].value) == whole
     assert len(notices) == 2
-    assert "3 rows are damaged" in notices[0] + notices[1]
+    assert "4 rows are damaged" in notices[0] + notices[1]
     assert "ratings-99-1-match.csv: is not of this session" in " ".join(notices)
 
 
