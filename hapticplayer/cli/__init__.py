@@ -78,6 +78,7 @@ class _ArgumentParser(argparse.ArgumentParser):
         super().exit(status, message and without_controls(message, "\n"))
 
 
+_UNREACHABLE = (errno.ENAMETOOLONG, errno.EACCES)
 _OUTPUT_ERRNO = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)
 
 
@@ -245,6 +246,10 @@ def _sentence_and_status(problem: BaseException) -> tuple[str, int]:
         return "interrupted; no file was left half written", 128 + number
     if sentence := _shortage_of(problem):
         return sentence, 1
+    if isinstance(problem, OSError) and problem.errno in _UNREACHABLE:
+        where, reason = problem.filename, problem.strerror
+        remedy = "check the name, and the rights of its folder"
+        return f"{where}: cannot be reached ({reason}); {remedy}", 1
     if isinstance(problem, OSError) and problem.errno in _OUTPUT_ERRNO:
         return f"the output cannot be written ({problem.strerror})", 1
     raise problem
@@ -266,11 +271,7 @@ def _run(words: list[str], open_window: OpenWindow | None) -> int:
 
         words = each_with_its_option(words)
     command = _command_in(words)
-    if (
-        command
-        and is_file_name(command)
-        and command not in {c.name for c in commands()}
-    ):
+    if _is_played(words) and command not in {c.name for c in commands()}:
         command, words = "play", ["play", *words]
     if command != "doctor" and (command or not words):
         _refuse_small_limits()
@@ -294,9 +295,18 @@ def _command_in(words: Sequence[str]) -> str | None:
     return next((word for word in words if not word.startswith("-")), None)
 
 
-def is_file_name(word: str) -> bool:
-    """Whether a word in the place of a command is something to play."""
-    return "/" in word or bool(Path(word).suffix) or Path(word).exists()
+def _is_played(words: Sequence[str]) -> bool:
+    """Whether something to play stands in the place of a command, or behind options."""
+    found = [word for word in words if not word.startswith("-")]
+    if not words or not words[0].startswith("-"):
+        return any(map(_is_file_name, found[:1]))
+    behind = words[words.index("--") :] if "--" in words else []
+    return any(map(_is_file_name, [*found, *behind]))
+
+
+def _is_file_name(word: str) -> bool:
+    is_there = os.path.exists(word)  # noqa: PTH110 - False for what can be no name
+    return "/" in word or bool(Path(word).suffix) or is_there
 
 
 class _Interrupted(KeyboardInterrupt):

@@ -134,7 +134,7 @@ def test_removing_leaves_only_what_others_have_put_there(installed):
     assert not (installed / "icons").exists()
 
 
-def test_what_cannot_be_removed_is_named(installed, capsys):
+def test_a_file_that_cannot_be_removed_is_named(installed, capsys):
     place = installed / command.MAN
     place.unlink()
     place.mkdir()

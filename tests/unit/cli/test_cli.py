@@ -335,6 +335,30 @@ def test_own_options_and_quoted_commands_stand_as_they_are(capsys):
     assert "--help" not in capsys.readouterr().err
 
 
+LONG = "x" * 300 + ".mkv"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [[LONG], ["process", LONG], ["import", LONG, "-o", "ride"], ["pack", LONG, "-o", "y.mkv"], ["sync", LONG, LONG]],
+)  # fmt: skip
+def test_a_name_that_is_too_long_is_told_in_one_sentence(words, capsys):
+    assert cli.main(words) == 1
+    assert "ame too long" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words", [["--", "-x.mkv"], ["--device", "simulated", "./-x.mkv"], ["./-x.mkv"]]
+)
+def test_a_file_is_played_wherever_its_name_stands(
+    words, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "-x.mkv").write_bytes(b"no film")
+    assert cli.main(words) == 1
+    assert "-x.mkv: it is not a video" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT])
 def test_a_signal_ends_any_command_in_order(monkeypatch, capsys, number):
     """Each has something to tidy up, the merging of studies too."""

@@ -194,7 +194,7 @@ def test_a_clock_that_was_set_ahead_is_another_one():
         read_all([at(100.0 + t, t if t < 10.0 else t + 10.0) for t in times])
 
 
-def test_what_a_source_kept_before_it_was_heard_is_believed():
+def test_samples_kept_before_a_source_was_heard_are_believed():
     sent = [at(100.0 + max(t, 20.0), t) for t in np.arange(0.0, 40.0, 0.25)]
     assert len(read_all(sent)) == len(sent)
 
