@@ -50,6 +50,19 @@ class OrderedAnswers:
     groups: tuple[Indices, ...]
     nested: int = 1
 
+    @property
+    def degrees(self) -> float:
+        """Of freedom of the effects, as between the cells of the last nested group.
+
+        So are feedbacks between those of a person; without cells they are infinite.
+        """
+        if self.nested < 2:
+            return np.inf
+        both = self.groups[self.nested - 2 : self.nested]
+        cells, people = (int(one.max()) + 1 for one in both)
+        left: int = cells - people - self.design.shape[1]
+        return max(1, left)
+
 
 @dataclass(frozen=True, slots=True)
 class Estimates:
@@ -93,9 +106,11 @@ class FittedModel(Estimates):
 
     Attributes:
         covariance: (b, b) of `effects`; NaN where the data do not determine them.
+        degrees: of freedom of the effects.
     """
 
     covariance: Floats
+    degrees: float
 
     @property
     def errors(self) -> Floats:
@@ -125,6 +140,7 @@ def fit(
         best.log_likelihood,
         best.inverse,
         covariance,
+        answers.degrees,
     )
 
 

@@ -132,7 +132,7 @@ def find_model_power(
     needed = {name: needed_size(row, sizes, goal.power) for name, row in curves.items()}
     tests = Message(
         "cumulative-link mixed model ({link}): likelihood ratio of all feedbacks, pairs "
-        "by Wald's z with Holm",
+        "by Wald's t with Holm",
         link=population.link.value,
     )
     return Power(goal, sizes, curves, needed, tests)

