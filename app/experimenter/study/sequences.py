@@ -107,8 +107,8 @@ class SequenceList(EntryList):
         )
         key.setMaximumWidth(2 * key.sizeHint().width())
         tip = self.tr(
-            "What sequences differ in, such as viewpoint=first here and viewpoint=third in "
-            "others; the analysis compares feedbacks at each level"
+            "What sequences differ in, such as viewpoint = first here and viewpoint = third "
+            "in others; the analysis compares feedbacks at each level"
         )
         fields.pairs(self.tr("Factors"), (*place, "factors"), tip)
         fields.whole(
