@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from _pytest.runner import runtestprotocol
+from _pytest.runner import pytest_runtest_teardown, runtestprotocol
 
 from hapticplayer.haptics.contract import GAP_RAMP_S, HEARTBEAT_RAMP_S
 from tools.witness import Seen, Witness, machine_witness
@@ -104,6 +104,8 @@ class RealTime:
             if reason(failed).startswith(MISTAKES) or len(reruns) == MOST_RERUNS:
                 break
             reruns.append((RERUN, f"{fault}: {reason(failed)}"))
+            # what the module and the session have made may be why, and is made anew
+            pytest_runtest_teardown(item, None)
             reports, seen = self._attempt(item, nextitem, alone=True)
         if failed:
             failed.sections.append(("the machine", fault or "was not at fault"))

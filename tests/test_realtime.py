@@ -22,6 +22,24 @@ TRIED = """
             assert tries.tell() == {attempt}, "too early"
 """
 
+TRIED_FOR_ALL = """
+    import pytest
+    from pathlib import Path
+
+    @pytest.fixture(scope="module")
+    def tries():
+        with Path("tries").open("a+") as tries:
+            tries.write(".")
+            assert tries.tell() == {attempt}, "too early"
+
+    @pytest.mark.realtime
+    def test_tried(tries):
+        pass
+
+    def test_next(tries):
+        pass
+"""
+
 
 class Silent(nullcontext):
     """A witness that has seen nothing."""
@@ -59,6 +77,11 @@ def test_a_late_machine_lets_a_test_run_again_and_counts_it(outcome):
     result.assert_outcomes(passed=1)
     result.stdout.fnmatch_lines(["*1 reruns because the machine was at fault*"])
     result.stdout.fnmatch_lines(["*::test_tried: a core stalled: *too early*"])
+
+
+def test_a_fixture_of_a_module_is_made_again(outcome, monkeypatch):
+    monkeypatch.setitem(globals(), "TRIED", TRIED_FOR_ALL)
+    outcome(2, "a core stalled").assert_outcomes(passed=2)
 
 
 def test_a_test_runs_again_at_most_twice(outcome):
