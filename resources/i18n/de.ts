@@ -1608,49 +1608,6 @@
     </message>
 </context>
 <context>
-    <name>ExportDialog</name>
-    <message>
-        <source>Export the data</source>
-        <translation>Daten exportieren</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Format</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Exportieren</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Durchsuchen…</translation>
-    </message>
-    <message>
-        <source>Choose another folder</source>
-        <translation>Anderen Ordner wählen</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abb&amp;rechen</translation>
-    </message>
-    <message>
-        <source>The data will be written to {folder}</source>
-        <translation>Die Daten werden in {folder} geschrieben</translation>
-    </message>
-    <message>
-        <source>This folder exists already: choose another place</source>
-        <translation>Diesen Ordner gibt es schon: Wählen Sie einen anderen Ort</translation>
-    </message>
-    <message>
-        <source>Choose where to create the data folder</source>
-        <translation>Wo soll der Ordner mit den Daten angelegt werden?</translation>
-    </message>
-</context>
-<context>
     <name>Extras</name>
     <message>
         <source>Resuming at {time} (Home: from the start)</source>
@@ -3236,6 +3193,105 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>MergePage</name>
+    <message>
+        <source>Merge sessions of other machines</source>
+        <translation>Sitzungen anderer Rechner zusammenführen</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Standort</translation>
+    </message>
+    <message>
+        <source>Copy of the study</source>
+        <translation>Kopie der Studie</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Copies to merge</source>
+        <translation>Kopien zum Zusammenführen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>What came of this copy</source>
+        <translation>Was diese Kopie ergeben hat</translation>
+    </message>
+    <message>
+        <source>Add the folders that have come back, or one that holds several: the names of its folders are those of the sites then. Sessions that are here already stay as they are. In the mixed models each site has an intercept of its own.</source>
+        <translation>Fügen Sie die Ordner hinzu, die zurückgekommen sind, oder einen, der mehrere enthält: Dann sind die Namen seiner Ordner die der Standorte. Sitzungen, die schon hier sind, bleiben, wie sie sind. In den gemischten Modellen hat jeder Standort einen eigenen Achsenabschnitt.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop; sessions that were added stay</source>
+        <translation>Anhalten; hinzugefügte Sitzungen bleiben</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add a copy, or a folder that holds several</source>
+        <translation>Eine Kopie hinzufügen, oder einen Ordner, der mehrere enthält</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the selected copy off this list</source>
+        <translation>Die ausgewählte Kopie aus dieser Liste nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Merge</source>
+        <translation>&amp;Zusammenführen</translation>
+    </message>
+    <message>
+        <source>Add the sessions of all these copies</source>
+        <translation>Die Sitzungen aller dieser Kopien hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Site of the selected copy</source>
+        <translation>&amp;Standort der ausgewählten Kopie</translation>
+    </message>
+    <message>
+        <source>● added: {added}, here already: {same}</source>
+        <translation>● hinzugefügt: {added}, schon vorhanden: {same}</translation>
+    </message>
+    <message>
+        <source>▲ added: {added}, left out: {left}</source>
+        <translation>▲ hinzugefügt: {added}, weggelassen: {left}</translation>
+    </message>
+    <message>
+        <source>Choose a copy of this study, or a folder of copies</source>
+        <translation>Wählen Sie eine Kopie dieser Studie oder einen Ordner mit Kopien</translation>
+    </message>
+    <message>
+        <source>Merging</source>
+        <translation>Wird zusammengeführt</translation>
+    </message>
+    <message>
+        <source>Sessions added: {added}; here already: {same}; left out: {left}.</source>
+        <translation>Hinzugefügte Sitzungen: {added}; schon vorhanden: {same}; weggelassen: {left}.</translation>
+    </message>
+</context>
+<context>
     <name>MessageBar</name>
     <message>
         <source>Close</source>
@@ -3605,6 +3661,61 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceDialog</name>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>This folder exists already: choose another place</source>
+        <translation>Diesen Ordner gibt es schon: Wählen Sie einen anderen Ort</translation>
+    </message>
+    <message>
+        <source>Choose where to create the folder</source>
+        <translation>Wählen Sie, wo der Ordner angelegt wird</translation>
+    </message>
+    <message>
+        <source>Export the data</source>
+        <translation>Daten exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>The data will be written to {folder}</source>
+        <translation>Die Daten werden in {folder} geschrieben</translation>
+    </message>
+    <message>
+        <source>Pack the study for other sites</source>
+        <translation>Studie für andere Standorte packen</translation>
+    </message>
+    <message>
+        <source>&amp;Pack</source>
+        <translation>&amp;Packen</translation>
+    </message>
+    <message>
+        <source>Definition, orders and all sequences, without sessions, will be copied to {folder}</source>
+        <translation>Definition, Reihenfolgen und alle Sequenzen werden ohne Sitzungen nach {folder} kopiert</translation>
     </message>
 </context>
 <context>
@@ -5438,6 +5549,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>In Daten und Abbildungen: a bis z, 0 bis 9, _ und -</translation>
     </message>
     <message>
+        <source>What sequences differ in, such as viewpoint = first here and viewpoint = third in others; the analysis compares feedbacks at each level</source>
+        <translation>Worin sich Sequenzen unterscheiden, etwa viewpoint = first hier und viewpoint = third bei anderen; die Auswertung vergleicht die Feedbacks auf jeder Stufe</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Faktoren</translation>
+    </message>
+    <message>
         <source>Titles are for you and for figures; participants never see them.</source>
         <translation>Titel sind für Sie und für Abbildungen; Teilnehmende sehen sie nie.</translation>
     </message>
@@ -5606,6 +5725,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Reason for skipping this step:</source>
         <translation>Grund für das Überspringen:</translation>
+    </message>
+    <message>
+        <source>Nothing was skipped: the participant has gone on to another step meanwhile. To skip this one, press Skip again.</source>
+        <translation>Nichts wurde übersprungen: Die Person ist inzwischen bei einem anderen Schritt. Um diesen zu überspringen, drücken Sie noch einmal „Überspringen“.</translation>
     </message>
     <message>
         <source>Reason for ending the session (all answers so far are kept):</source>
@@ -6518,12 +6641,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Eine Person löschen; sagt zuerst, was gelöscht wird</translation>
     </message>
     <message>
+        <source>Pack…</source>
+        <translation>Packen…</translation>
+    </message>
+    <message>
+        <source>Write a copy with all sequences, for other sites to run</source>
+        <translation>Eine Kopie mit allen Sequenzen schreiben, zur Durchführung an anderen Standorten</translation>
+    </message>
+    <message>
         <source>Merge…</source>
         <translation>Zusammenführen…</translation>
     </message>
     <message>
-        <source>Add the sessions of a copy of this study on another machine</source>
-        <translation>Die Sitzungen einer Kopie dieser Studie auf einem anderen Rechner hinzufügen</translation>
+        <source>Packed to {folder}. Sites can compare the checksum of what they got (SHA-256 of the manifest): {checksum}</source>
+        <translation>Nach {folder} gepackt. Standorte können die Prüfsumme dessen vergleichen, was sie bekommen haben (SHA-256 des Manifests): {checksum}</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Wird gepackt</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6556,6 +6691,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Add the sessions of copies of this study on other machines</source>
+        <translation>Die Sitzungen von Kopien dieser Studie auf anderen Rechnern hinzufügen</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -6620,18 +6759,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Still named in: {files}. Write these again or remove them.</source>
         <translation>Noch genannt in: {files}. Schreiben Sie diese neu, oder entfernen Sie sie.</translation>
-    </message>
-    <message>
-        <source>Choose the copy of this study</source>
-        <translation>Wählen Sie die Kopie dieser Studie</translation>
-    </message>
-    <message>
-        <source>Merging</source>
-        <translation>Wird zusammengeführt</translation>
-    </message>
-    <message>
-        <source>Sessions added: {added}; here already: {same}.</source>
-        <translation>Hinzugefügte Sitzungen: {added}; schon vorhanden: {same}.</translation>
     </message>
     <message>
         <source>Exported to {folder}.</source>
@@ -6811,6 +6938,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>A trial is marked as invalid above</source>
         <translation>Ein Durchgang gilt als ungültig oberhalb von</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Faktoren</translation>
     </message>
     <message>
         <source>Help line</source>
@@ -9270,6 +9401,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie das Gerät ab und stecken Sie es wieder an.</translation>
     </message>
     <message>
+        <source>Cubic</source>
+        <translation>Kubisch</translation>
+    </message>
+    <message>
         <source>Cut-off frequency</source>
         <translation>Grenzfrequenz</translation>
     </message>
@@ -9614,8 +9749,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Das Netzwerk kennt diese Adresse nicht: Berichtigen Sie sie.</translation>
     </message>
     <message>
+        <source>The same questions about rides that were filmed by the rider and from outside; whether the force adds as much to both.</source>
+        <translation>Dieselben Fragen zu Fahrten, die von der fahrenden Person und von außen gefilmt wurden; ob die Kraft bei beiden gleich viel beiträgt.</translation>
+    </message>
+    <message>
         <source>The sound system does not answer: restart it.</source>
         <translation>Das Tonsystem antwortet nicht: Starten Sie es neu.</translation>
+    </message>
+    <message>
+        <source>Third person against first</source>
+        <translation>Dritte Person gegen erste Person</translation>
     </message>
     <message>
         <source>This camera does not timestamp its samples: they may be 10 to 30 ms off, and the frames could not tell by how much: {why}.</source>
@@ -9758,12 +9901,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Audio mit drei Kanälen, für Shaker</translation>
     </message>
     <message>
+        <source>cannot be compared ({problem})</source>
+        <translation>lässt sich nicht vergleichen ({problem})</translation>
+    </message>
+    <message>
         <source>cannot be copied into {kind} without changing its video</source>
         <translation>kann nicht nach {kind} kopiert werden, ohne dass sich das Video ändert</translation>
     </message>
     <message>
         <source>cannot be fetched ({reason})</source>
         <translation>kann nicht geladen werden ({reason})</translation>
+    </message>
+    <message>
+        <source>cannot be read there ({problem})</source>
+        <translation>lässt sich dort nicht lesen ({problem})</translation>
     </message>
     <message>
         <source>cannot be written ({reason}); it is as it was</source>
@@ -9806,6 +9957,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wählen Sie einen anderen Schlüssel</translation>
     </message>
     <message>
+        <source>choose another name</source>
+        <translation>wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
         <source>choose another track</source>
         <translation>wählen Sie eine andere Spur</translation>
     </message>
@@ -9842,6 +9997,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Rechner stockte</translation>
     </message>
     <message>
+        <source>connect it, close this session and resume it</source>
+        <translation>schließen Sie es an, schließen Sie diese Sitzung, und setzen Sie sie fort</translation>
+    </message>
+    <message>
         <source>contains no motion data</source>
         <translation>enthält keine Bewegungsdaten</translation>
     </message>
@@ -9862,8 +10021,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sequenz wird kopiert</translation>
     </message>
     <message>
+        <source>copying the sessions</source>
+        <translation>Sitzungen werden kopiert</translation>
+    </message>
+    <message>
         <source>correct the file, or remove it</source>
         <translation>berichtigen Sie die Datei, oder entfernen Sie sie</translation>
+    </message>
+    <message>
+        <source>cumulative-link mixed model ({link}): likelihood ratio of all feedbacks, pairs by Wald&apos;s t with Holm</source>
+        <translation>gemischtes Cumulative-Link-Modell ({link}): Likelihood-Quotient aller Feedbacks, Paare nach Walds t mit Holm</translation>
     </message>
     <message>
         <source>curve: its times must increase from 0 s</source>
@@ -9896,6 +10063,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>display</source>
         <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>divides the sequences as another factor does</source>
+        <translation>teilt die Sequenzen so auf wie ein anderer Faktor</translation>
     </message>
     <message>
         <source>does not declare its rate</source>
@@ -9998,6 +10169,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Kraft für andere Programme</translation>
     </message>
     <message>
+        <source>force minus {what}: median {middle:+.1f} ms, worst trial {worst:+.1f} ms</source>
+        <translation>Kraft minus {what}: Median {middle:+.1f} ms, schlechtester Durchgang {worst:+.1f} ms</translation>
+    </message>
+    <message>
         <source>force of the feedback random, lossless</source>
         <translation>Kraft des Feedbacks zufällig, verlustfrei</translation>
     </message>
@@ -10060,6 +10235,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>give the folder of one of them instead</source>
         <translation>geben Sie stattdessen den Ordner einer davon an</translation>
+    </message>
+    <message>
+        <source>give the sequences different levels</source>
+        <translation>geben Sie den Sequenzen verschiedene Stufen</translation>
     </message>
     <message>
         <source>give the times in seconds of media time</source>
@@ -10230,6 +10409,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>gehört das Protokoll zu diesem Video, und ist das Video nicht stabilisiert?</translation>
     </message>
     <message>
+        <source>is longer there ({count} more records); move the shorter one here out of the study and merge again</source>
+        <translation>ist dort länger (um {count} Einträge); verschieben Sie die kürzere hier aus der Studie, und führen Sie noch einmal zusammen</translation>
+    </message>
+    <message>
         <source>is not MPEG-V (SEM)</source>
         <translation>ist kein MPEG-V (SEM)</translation>
     </message>
@@ -10330,6 +10513,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält nicht, was zu exportieren ist</translation>
     </message>
     <message>
+        <source>levels, and differences of feedbacks at two levels: Wilcoxon with Holm over all, exact to {most} participants, then an approximation</source>
+        <translation>Stufen, und Unterschiede von Feedbacks auf zwei Stufen: Wilcoxon mit Holm über alle, bis {most} Personen exakt, darüber eine Näherung</translation>
+    </message>
+    <message>
         <source>make another of it with: {command}</source>
         <translation>machen Sie ein anderes daraus mit: {command}</translation>
     </message>
@@ -10378,12 +10565,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>muss eine Liste mit mindestens einer der möglichen Antworten sein</translation>
     </message>
     <message>
+        <source>must be a number from {least} to {most}</source>
+        <translation>muss eine Zahl von {least} bis {most} sein</translation>
+    </message>
+    <message>
         <source>must be at least {limit}</source>
         <translation>muss mindestens {limit} sein</translation>
     </message>
     <message>
         <source>must be at most {limit}</source>
         <translation>darf höchstens {limit} sein</translation>
+    </message>
+    <message>
+        <source>must be between {least} and {most}</source>
+        <translation>muss zwischen {least} und {most} liegen</translation>
+    </message>
+    <message>
+        <source>must be the two opposites, at {least} and at {most}</source>
+        <translation>müssen die beiden Gegensätze sein, bei {least} und bei {most}</translation>
+    </message>
+    <message>
+        <source>must have 2 to {most} levels, has {count}</source>
+        <translation>muss 2 bis {most} Stufen haben, hat {count}</translation>
+    </message>
+    <message>
+        <source>must have 2 to {most} points, has {count}</source>
+        <translation>muss 2 bis {most} Punkte haben, hat {count}</translation>
     </message>
     <message>
         <source>must have at least {limit} characters</source>
@@ -10456,6 +10663,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no offset is given, which this method needs</source>
         <translation>es ist kein Versatz angegeben, den dieses Verfahren braucht</translation>
+    </message>
+    <message>
+        <source>no trial begins: {device} was lost ({reason})</source>
+        <translation>kein Durchgang beginnt: {device} ist ausgefallen ({reason})</translation>
     </message>
     <message>
         <source>nobody feels a simulated device: choose a real one, or let the study do without (its first page in the editor)</source>
@@ -10568,6 +10779,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>rate-axes={axes} if the gyroscope is {how}</source>
         <translation>rate-axes={axes}, wenn das Gyroskop {how} ist</translation>
+    </message>
+    <message>
+        <source>ratings are shown without the force: {reason}</source>
+        <translation>Bewertungen werden ohne die Kraft gezeigt: {reason}</translation>
     </message>
     <message>
         <source>read as {name}: specific force in {unit}</source>
@@ -11670,10 +11885,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>aktualisieren Sie das Programm, oder exportieren Sie noch einmal mit dieser Version</translation>
     </message>
     <message>
-        <source>use at most {most} of a-z, 0-9, _ and -</source>
-        <translation>nehmen Sie höchstens {most} Zeichen aus a-z, 0-9, _ und -</translation>
-    </message>
-    <message>
         <source>use the version of hapticplayer that wrote it</source>
         <translation>die Version von hapticplayer verwenden, die sie geschrieben hat</translation>
     </message>
@@ -12048,10 +12259,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>copying the clip</source>
         <translation>Clip wird kopiert</translation>
-    </message>
-    <message>
-        <source>cumulative-link mixed model ({link}): likelihood ratio of all feedbacks, pairs by Wald&apos;s z with Holm</source>
-        <translation>gemischtes Cumulative-Link-Modell ({link}): Likelihood-Quotient aller Feedbacks, Paare nach Walds z mit Holm</translation>
     </message>
     <message>
         <source>does not give parts of this file</source>
@@ -13682,6 +13889,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Beschleunigungssensor zeigt in Ruhe {norm_mps2:.3g} m/s2, die Schwerkraft ist 9,8</translation>
     </message>
     <message>
+        <source>the camera in the frames turns as the gyroscope would at {scale:.3g} times its rate</source>
+        <translation>die Kamera in den Bildern dreht sich, wie es das Gyroskop mit der {scale:.3g}-fachen Drehrate täte</translation>
+    </message>
+    <message>
         <source>the frames place the motion {off_s:+.2f} s from where the recorder&apos;s clock does</source>
         <translation>nach den Bildern liegt die Bewegung um {off_s:+.2f} s anders als nach der Uhr des Rekorders</translation>
     </message>
@@ -13782,6 +13993,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>zwei Ausgaben senden {what}; behalten Sie eine davon</translation>
     </message>
     <message>
+        <source>two sessions of one code ({here} here, {there} there)</source>
+        <translation>zwei Sitzungen mit demselben Code ({here} hier, {there} dort)</translation>
+    </message>
+    <message>
         <source>unknown entry {name!r}</source>
         <translation>hat den unbekannten Eintrag {name!r}</translation>
     </message>
@@ -13822,12 +14037,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>verwenden Sie einen Namen aus /dev/input, etwa event5</translation>
     </message>
     <message>
+        <source>use at most {most} of a-z, 0-9, _ and -, without a - in front</source>
+        <translation>nehmen Sie höchstens {most} Zeichen aus a-z, 0-9, _ und -, ohne - am Anfang</translation>
+    </message>
+    <message>
         <source>utc is not a time with its zone</source>
         <translation>utc ist keine Zeit mit Zeitzone</translation>
     </message>
     <message>
         <source>vibration: full intensity was taken as {full_n:.3g} N</source>
         <translation>Vibration: volle Stärke wurde als {full_n:.3g} N genommen</translation>
+    </message>
+    <message>
+        <source>video</source>
+        <translation>Video</translation>
     </message>
     <message>
         <source>video and sound</source>
@@ -14014,6 +14237,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ihrem Videoschnittprogramm</translation>
     </message>
     <message>
+        <source>{added} sessions added, {same} were here already</source>
+        <translation>{added} Sitzungen hinzugefügt, {same} waren schon hier</translation>
+    </message>
+    <message>
         <source>{answer}</source>
         <translation>{answer}</translation>
     </message>
@@ -14042,6 +14269,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{code}: keine Aufzeichnung eines Geräts, nur Marker</translation>
     </message>
     <message>
+        <source>{code}: played another sequence &apos;{key}&apos; than the sessions here</source>
+        <translation>{code}: spielte eine andere Sequenz „{key}“ als die Sitzungen hier</translation>
+    </message>
+    <message>
+        <source>{code}: {reason}</source>
+        <translation>{code}: {reason}</translation>
+    </message>
+    <message>
+        <source>{complete} complete, {simulated} simulated; {invalid} of {trials} trials not valid</source>
+        <translation>{complete} vollständig, {simulated} simuliert; {invalid} von {trials} Durchgängen ungültig</translation>
+    </message>
+    <message>
         <source>{count} channels act along x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
         <translation>{count} Kanäle wirken entlang x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
     </message>
@@ -14054,12 +14293,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{count} Zeilen sind beschädigt</translation>
     </message>
     <message>
+        <source>{count} sessions by {program}</source>
+        <translation>{count} Sitzungen mit {program}</translation>
+    </message>
+    <message>
         <source>{count} text answers were left out: they have not been reviewed</source>
         <translation>{count} Textantworten wurden weggelassen: Sie wurden nicht durchgesehen</translation>
     </message>
     <message>
         <source>{count} ticks have times or values that no device has; they are left out</source>
         <translation>{count} Takte haben Zeiten oder Werte, die kein Gerät hat; sie werden weggelassen</translation>
+    </message>
+    <message>
+        <source>{count} trials on {device}</source>
+        <translation>{count} Durchgänge mit {device}</translation>
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
@@ -14192,6 +14439,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name!r} is the name of a condition; choose another name</source>
         <translation>{name!r} ist der Name einer Bedingung; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>{name!r} is the name of something else</source>
+        <translation>{name!r} ist der Name von etwas anderem</translation>
     </message>
     <message>
         <source>{name!r} moves no slider</source>
@@ -14382,6 +14633,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{path}: {reason}</translation>
     </message>
     <message>
+        <source>{percent:.2g} % of the time the force is at its limit</source>
+        <translation>{percent:.2g} % der Zeit ist die Kraft an ihrer Grenze</translation>
+    </message>
+    <message>
         <source>{percent} %</source>
         <translation>{percent} %</translation>
     </message>
@@ -14560,6 +14815,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{what} ({proof})</source>
         <translation>{what} ({proof})</translation>
+    </message>
+    <message>
+        <source>{what}, but the numbers would fit another unit</source>
+        <translation>{what}, aber die Zahlen würden zu einer anderen Einheit passen</translation>
     </message>
     <message>
         <source>{what}, with the axes that were given</source>

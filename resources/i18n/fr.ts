@@ -1608,49 +1608,6 @@
     </message>
 </context>
 <context>
-    <name>ExportDialog</name>
-    <message>
-        <source>Export the data</source>
-        <translation>Exporter les données</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Format</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Emplacement</translation>
-    </message>
-    <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Exporter</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Parcourir…</translation>
-    </message>
-    <message>
-        <source>Choose another folder</source>
-        <translation>Choisir un autre dossier</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
-        <source>The data will be written to {folder}</source>
-        <translation>Les données seront écrites dans {folder}</translation>
-    </message>
-    <message>
-        <source>This folder exists already: choose another place</source>
-        <translation>Ce dossier existe déjà&#xa0;: choisissez un autre emplacement</translation>
-    </message>
-    <message>
-        <source>Choose where to create the data folder</source>
-        <translation>Où créer le dossier des données&#xa0;?</translation>
-    </message>
-</context>
-<context>
     <name>Extras</name>
     <message>
         <source>Resuming at {time} (Home: from the start)</source>
@@ -3236,6 +3193,105 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>MergePage</name>
+    <message>
+        <source>Merge sessions of other machines</source>
+        <translation>Fusionner les séances d’autres ordinateurs</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Site</translation>
+    </message>
+    <message>
+        <source>Copy of the study</source>
+        <translation>Copie de l’étude</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Copies to merge</source>
+        <translation>Copies à fusionner</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>What came of this copy</source>
+        <translation>Résultat de cette copie</translation>
+    </message>
+    <message>
+        <source>Add the folders that have come back, or one that holds several: the names of its folders are those of the sites then. Sessions that are here already stay as they are. In the mixed models each site has an intercept of its own.</source>
+        <translation>Ajoutez les dossiers revenus, ou un dossier qui en contient plusieurs&#xa0;: les noms de ses dossiers sont alors ceux des sites. Les séances déjà présentes restent telles quelles. Dans les modèles mixtes, chaque site a sa propre ordonnée à l’origine.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop; sessions that were added stay</source>
+        <translation>Arrêter&#xa0;; les séances ajoutées restent</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Fermer cette fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Ajouter…</translation>
+    </message>
+    <message>
+        <source>Add a copy, or a folder that holds several</source>
+        <translation>Ajouter une copie, ou un dossier qui en contient plusieurs</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Take the selected copy off this list</source>
+        <translation>Retirer de cette liste la copie sélectionnée</translation>
+    </message>
+    <message>
+        <source>&amp;Merge</source>
+        <translation>&amp;Fusionner</translation>
+    </message>
+    <message>
+        <source>Add the sessions of all these copies</source>
+        <translation>Ajouter les séances de toutes ces copies</translation>
+    </message>
+    <message>
+        <source>&amp;Site of the selected copy</source>
+        <translation>&amp;Site de la copie sélectionnée</translation>
+    </message>
+    <message>
+        <source>● added: {added}, here already: {same}</source>
+        <translation>● ajoutées&#xa0;: {added}, déjà présentes&#xa0;: {same}</translation>
+    </message>
+    <message>
+        <source>▲ added: {added}, left out: {left}</source>
+        <translation>▲ ajoutées&#xa0;: {added}, omises&#xa0;: {left}</translation>
+    </message>
+    <message>
+        <source>Choose a copy of this study, or a folder of copies</source>
+        <translation>Choisir une copie de cette étude, ou un dossier de copies</translation>
+    </message>
+    <message>
+        <source>Merging</source>
+        <translation>Fusion</translation>
+    </message>
+    <message>
+        <source>Sessions added: {added}; here already: {same}; left out: {left}.</source>
+        <translation>Séances ajoutées&#xa0;: {added}&#xa0;; déjà présentes&#xa0;: {same}&#xa0;; omises&#xa0;: {left}.</translation>
+    </message>
+</context>
+<context>
     <name>MessageBar</name>
     <message>
         <source>Close</source>
@@ -3605,6 +3661,61 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Preview</source>
         <translation>Aperçu</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceDialog</name>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Parcourir…</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Choisir un autre dossier</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>This folder exists already: choose another place</source>
+        <translation>Ce dossier existe déjà&#xa0;: choisissez un autre emplacement</translation>
+    </message>
+    <message>
+        <source>Choose where to create the folder</source>
+        <translation>Où créer le dossier&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Export the data</source>
+        <translation>Exporter les données</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exporter</translation>
+    </message>
+    <message>
+        <source>The data will be written to {folder}</source>
+        <translation>Les données seront écrites dans {folder}</translation>
+    </message>
+    <message>
+        <source>Pack the study for other sites</source>
+        <translation>Empaqueter l’étude pour d’autres sites</translation>
+    </message>
+    <message>
+        <source>&amp;Pack</source>
+        <translation>&amp;Empaqueter</translation>
+    </message>
+    <message>
+        <source>Definition, orders and all sequences, without sessions, will be copied to {folder}</source>
+        <translation>La définition, les ordres et toutes les séquences, sans les séances, seront copiés dans {folder}</translation>
     </message>
 </context>
 <context>
@@ -5438,6 +5549,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Dans les données et les figures&#xa0;: a à z, 0 à 9, _ et -</translation>
     </message>
     <message>
+        <source>What sequences differ in, such as viewpoint = first here and viewpoint = third in others; the analysis compares feedbacks at each level</source>
+        <translation>Ce qui distingue les séquences, par exemple viewpoint = first ici et viewpoint = third dans d’autres&#xa0;; l’analyse compare les retours à chaque niveau</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Facteurs</translation>
+    </message>
+    <message>
         <source>Titles are for you and for figures; participants never see them.</source>
         <translation>Les titres sont pour vous et pour les figures&#xa0;; les participants ne les voient jamais.</translation>
     </message>
@@ -5606,6 +5725,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Reason for skipping this step:</source>
         <translation>Raison de passer cette étape&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Nothing was skipped: the participant has gone on to another step meanwhile. To skip this one, press Skip again.</source>
+        <translation>Rien n’a été passé&#xa0;: entre-temps, le participant est allé à une autre étape. Pour passer celle-ci, cliquez de nouveau sur «&#xa0;Passer&#xa0;».</translation>
     </message>
     <message>
         <source>Reason for ending the session (all answers so far are kept):</source>
@@ -6518,12 +6641,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Supprimer un participant&#xa0;; dit d’abord ce qui est effacé</translation>
     </message>
     <message>
+        <source>Pack…</source>
+        <translation>Empaqueter…</translation>
+    </message>
+    <message>
+        <source>Write a copy with all sequences, for other sites to run</source>
+        <translation>Écrire une copie avec toutes les séquences, pour mener l’étude sur d’autres sites</translation>
+    </message>
+    <message>
         <source>Merge…</source>
         <translation>Fusionner…</translation>
     </message>
     <message>
-        <source>Add the sessions of a copy of this study on another machine</source>
-        <translation>Ajouter les séances d’une copie de cette étude sur un autre ordinateur</translation>
+        <source>Packed to {folder}. Sites can compare the checksum of what they got (SHA-256 of the manifest): {checksum}</source>
+        <translation>Empaqueté dans {folder}. Les sites peuvent comparer la somme de contrôle de ce qu’ils ont reçu (SHA-256 du manifeste)&#xa0;: {checksum}</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Empaquetage</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6556,6 +6691,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Add the sessions of copies of this study on other machines</source>
+        <translation>Ajouter les séances de copies de cette étude sur d’autres ordinateurs</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -6620,18 +6759,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Still named in: {files}. Write these again or remove them.</source>
         <translation>Encore nommé dans&#xa0;: {files}. Écrivez ces fichiers de nouveau, ou supprimez-les.</translation>
-    </message>
-    <message>
-        <source>Choose the copy of this study</source>
-        <translation>Choisir la copie de cette étude</translation>
-    </message>
-    <message>
-        <source>Merging</source>
-        <translation>Fusion</translation>
-    </message>
-    <message>
-        <source>Sessions added: {added}; here already: {same}.</source>
-        <translation>Séances ajoutées&#xa0;: {added}&#xa0;; déjà présentes&#xa0;: {same}.</translation>
     </message>
     <message>
         <source>Exported to {folder}.</source>
@@ -6811,6 +6938,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>A trial is marked as invalid above</source>
         <translation>Un essai est marqué comme non valide au-delà de</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Facteurs</translation>
     </message>
     <message>
         <source>Help line</source>
@@ -9270,6 +9401,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez et rebranchez l’appareil.</translation>
     </message>
     <message>
+        <source>Cubic</source>
+        <translation>Cubique</translation>
+    </message>
+    <message>
         <source>Cut-off frequency</source>
         <translation>Fréquence de coupure</translation>
     </message>
@@ -9614,8 +9749,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Le réseau ne connaît pas cette adresse&#xa0;: corrigez-la.</translation>
     </message>
     <message>
+        <source>The same questions about rides that were filmed by the rider and from outside; whether the force adds as much to both.</source>
+        <translation>Les mêmes questions sur des trajets filmés par le conducteur et de l’extérieur&#xa0;; pour savoir si la force apporte autant aux deux.</translation>
+    </message>
+    <message>
         <source>The sound system does not answer: restart it.</source>
         <translation>Le système audio ne répond pas&#xa0;: redémarrez-le.</translation>
+    </message>
+    <message>
+        <source>Third person against first</source>
+        <translation>Troisième personne contre première</translation>
     </message>
     <message>
         <source>This camera does not timestamp its samples: they may be 10 to 30 ms off, and the frames could not tell by how much: {why}.</source>
@@ -9758,12 +9901,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>audio de trois canaux, pour vibreurs</translation>
     </message>
     <message>
+        <source>cannot be compared ({problem})</source>
+        <translation>ne peut pas être comparée ({problem})</translation>
+    </message>
+    <message>
         <source>cannot be copied into {kind} without changing its video</source>
         <translation>ne peut pas être copié en {kind} sans que sa vidéo change</translation>
     </message>
     <message>
         <source>cannot be fetched ({reason})</source>
         <translation>ne peut pas être récupéré ({reason})</translation>
+    </message>
+    <message>
+        <source>cannot be read there ({problem})</source>
+        <translation>ne peut pas être lue là-bas ({problem})</translation>
     </message>
     <message>
         <source>cannot be written ({reason}); it is as it was</source>
@@ -9806,6 +9957,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez une autre clé</translation>
     </message>
     <message>
+        <source>choose another name</source>
+        <translation>choisissez un autre nom</translation>
+    </message>
+    <message>
         <source>choose another track</source>
         <translation>choisissez une autre piste</translation>
     </message>
@@ -9842,6 +9997,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ordinateur bloqué</translation>
     </message>
     <message>
+        <source>connect it, close this session and resume it</source>
+        <translation>connectez-le, fermez cette séance et reprenez-la</translation>
+    </message>
+    <message>
         <source>contains no motion data</source>
         <translation>ne contient pas de données de mouvement</translation>
     </message>
@@ -9862,8 +10021,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>copie de la séquence</translation>
     </message>
     <message>
+        <source>copying the sessions</source>
+        <translation>copie des séances</translation>
+    </message>
+    <message>
         <source>correct the file, or remove it</source>
         <translation>corrigez le fichier, ou supprimez-le</translation>
+    </message>
+    <message>
+        <source>cumulative-link mixed model ({link}): likelihood ratio of all feedbacks, pairs by Wald&apos;s t with Holm</source>
+        <translation>modèle mixte à lien cumulatif ({link})&#xa0;: rapport de vraisemblance de tous les retours, paires par le t de Wald avec Holm</translation>
     </message>
     <message>
         <source>curve: its times must increase from 0 s</source>
@@ -9896,6 +10063,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>display</source>
         <translation>affichage</translation>
+    </message>
+    <message>
+        <source>divides the sequences as another factor does</source>
+        <translation>répartit les séquences comme un autre facteur</translation>
     </message>
     <message>
         <source>does not declare its rate</source>
@@ -9998,6 +10169,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>force pour d’autres programmes</translation>
     </message>
     <message>
+        <source>force minus {what}: median {middle:+.1f} ms, worst trial {worst:+.1f} ms</source>
+        <translation>force moins {what}&#xa0;: médiane {middle:+.1f} ms, pire essai {worst:+.1f} ms</translation>
+    </message>
+    <message>
         <source>force of the feedback random, lossless</source>
         <translation>force du retour aléatoire, sans perte</translation>
     </message>
@@ -10060,6 +10235,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give the folder of one of them instead</source>
         <translation>donnez plutôt le dossier de l’un d’eux</translation>
+    </message>
+    <message>
+        <source>give the sequences different levels</source>
+        <translation>donnez aux séquences des niveaux différents</translation>
     </message>
     <message>
         <source>give the times in seconds of media time</source>
@@ -10230,6 +10409,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est-ce le journal de cette vidéo, et la vidéo n’est-elle pas stabilisée&#xa0;?</translation>
     </message>
     <message>
+        <source>is longer there ({count} more records); move the shorter one here out of the study and merge again</source>
+        <translation>est plus longue là-bas ({count} entrées de plus)&#xa0;; déplacez hors de l’étude la plus courte, celle d’ici, et fusionnez de nouveau</translation>
+    </message>
+    <message>
         <source>is not MPEG-V (SEM)</source>
         <translation>n’est pas du MPEG-V (SEM)</translation>
     </message>
@@ -10330,6 +10513,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas ce qu’il faut exporter</translation>
     </message>
     <message>
+        <source>levels, and differences of feedbacks at two levels: Wilcoxon with Holm over all, exact to {most} participants, then an approximation</source>
+        <translation>niveaux, et différences entre retours à deux niveaux&#xa0;: Wilcoxon avec Holm sur l’ensemble, exact jusqu’à {most} participants, approché au-delà</translation>
+    </message>
+    <message>
         <source>make another of it with: {command}</source>
         <translation>faites-en un autre avec&#xa0;: {command}</translation>
     </message>
@@ -10378,12 +10565,32 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>doit être une liste d’une ou de plusieurs des réponses proposées</translation>
     </message>
     <message>
+        <source>must be a number from {least} to {most}</source>
+        <translation>doit être un nombre de {least} à {most}</translation>
+    </message>
+    <message>
         <source>must be at least {limit}</source>
         <translation>doit être au moins {limit}</translation>
     </message>
     <message>
         <source>must be at most {limit}</source>
         <translation>doit être au plus {limit}</translation>
+    </message>
+    <message>
+        <source>must be between {least} and {most}</source>
+        <translation>doit être compris entre {least} et {most}</translation>
+    </message>
+    <message>
+        <source>must be the two opposites, at {least} and at {most}</source>
+        <translation>doit donner les deux contraires, à {least} et à {most}</translation>
+    </message>
+    <message>
+        <source>must have 2 to {most} levels, has {count}</source>
+        <translation>doit avoir 2 à {most} niveaux, et en a {count}</translation>
+    </message>
+    <message>
+        <source>must have 2 to {most} points, has {count}</source>
+        <translation>doit donner 2 à {most} points, et en donne {count}</translation>
     </message>
     <message>
         <source>must have at least {limit} characters</source>
@@ -10456,6 +10663,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no offset is given, which this method needs</source>
         <translation>aucun décalage n’est donné, alors que cette méthode en demande un</translation>
+    </message>
+    <message>
+        <source>no trial begins: {device} was lost ({reason})</source>
+        <translation>aucun essai ne commence&#xa0;: {device} a été perdu ({reason})</translation>
     </message>
     <message>
         <source>nobody feels a simulated device: choose a real one, or let the study do without (its first page in the editor)</source>
@@ -10568,6 +10779,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>rate-axes={axes} if the gyroscope is {how}</source>
         <translation>rate-axes={axes} si le gyroscope est {how}</translation>
+    </message>
+    <message>
+        <source>ratings are shown without the force: {reason}</source>
+        <translation>les évaluations sont affichées sans la force&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>read as {name}: specific force in {unit}</source>
@@ -11670,10 +11885,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mettez le programme à jour, ou exportez encore une fois avec cette version</translation>
     </message>
     <message>
-        <source>use at most {most} of a-z, 0-9, _ and -</source>
-        <translation>prenez au plus {most} caractères parmi a-z, 0-9, _ et -</translation>
-    </message>
-    <message>
         <source>use the version of hapticplayer that wrote it</source>
         <translation>utilisez la version de hapticplayer qui l’a écrit</translation>
     </message>
@@ -12048,10 +12259,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>copying the clip</source>
         <translation>copie du clip</translation>
-    </message>
-    <message>
-        <source>cumulative-link mixed model ({link}): likelihood ratio of all feedbacks, pairs by Wald&apos;s z with Holm</source>
-        <translation>modèle mixte à lien cumulatif ({link})&#xa0;: rapport de vraisemblance de tous les retours, paires par le z de Wald avec Holm</translation>
     </message>
     <message>
         <source>does not give parts of this file</source>
@@ -13682,6 +13889,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’accéléromètre indique {norm_mps2:.3g} m/s2 au repos, la pesanteur vaut 9,8</translation>
     </message>
     <message>
+        <source>the camera in the frames turns as the gyroscope would at {scale:.3g} times its rate</source>
+        <translation>la caméra dans les images tourne comme le ferait le gyroscope à {scale:.3g} fois sa vitesse angulaire</translation>
+    </message>
+    <message>
         <source>the frames place the motion {off_s:+.2f} s from where the recorder&apos;s clock does</source>
         <translation>les images placent le mouvement à {off_s:+.2f} s de là où le place l’horloge de l’enregistreur</translation>
     </message>
@@ -13782,6 +13993,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>deux sorties envoient {what}&#xa0;; gardez-en une</translation>
     </message>
     <message>
+        <source>two sessions of one code ({here} here, {there} there)</source>
+        <translation>deux séances de même code ({here} ici, {there} là-bas)</translation>
+    </message>
+    <message>
         <source>unknown entry {name!r}</source>
         <translation>a l’entrée inconnue {name!r}</translation>
     </message>
@@ -13822,12 +14037,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>utilisez un nom de /dev/input, par exemple event5</translation>
     </message>
     <message>
+        <source>use at most {most} of a-z, 0-9, _ and -, without a - in front</source>
+        <translation>prenez au plus {most} caractères parmi a-z, 0-9, _ et -, sans - au début</translation>
+    </message>
+    <message>
         <source>utc is not a time with its zone</source>
         <translation>utc n’est pas un temps avec son fuseau</translation>
     </message>
     <message>
         <source>vibration: full intensity was taken as {full_n:.3g} N</source>
         <translation>vibration&#xa0;: l’intensité maximale a été prise comme {full_n:.3g} N</translation>
+    </message>
+    <message>
+        <source>video</source>
+        <translation>vidéo</translation>
     </message>
     <message>
         <source>video and sound</source>
@@ -14014,6 +14237,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>votre logiciel de montage</translation>
     </message>
     <message>
+        <source>{added} sessions added, {same} were here already</source>
+        <translation>séances ajoutées&#xa0;: {added}, déjà présentes&#xa0;: {same}</translation>
+    </message>
+    <message>
         <source>{answer}</source>
         <translation>{answer}</translation>
     </message>
@@ -14042,6 +14269,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{code}&#xa0;: aucun enregistrement d’un appareil, marqueurs seulement</translation>
     </message>
     <message>
+        <source>{code}: played another sequence &apos;{key}&apos; than the sessions here</source>
+        <translation>{code}&#xa0;: a joué une autre séquence «&#xa0;{key}&#xa0;» que les séances d’ici</translation>
+    </message>
+    <message>
+        <source>{code}: {reason}</source>
+        <translation>{code}&#xa0;: {reason}</translation>
+    </message>
+    <message>
+        <source>{complete} complete, {simulated} simulated; {invalid} of {trials} trials not valid</source>
+        <translation>complètes&#xa0;: {complete}, simulées&#xa0;: {simulated}&#xa0;; essais non valides&#xa0;: {invalid} sur {trials}</translation>
+    </message>
+    <message>
         <source>{count} channels act along x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
         <translation>{count} canaux agissent selon x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
     </message>
@@ -14054,12 +14293,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{count} lignes sont endommagées</translation>
     </message>
     <message>
+        <source>{count} sessions by {program}</source>
+        <translation>séances avec {program}&#xa0;: {count}</translation>
+    </message>
+    <message>
         <source>{count} text answers were left out: they have not been reviewed</source>
         <translation>{count} réponses en texte ont été omises&#xa0;: elles n’ont pas été relues</translation>
     </message>
     <message>
         <source>{count} ticks have times or values that no device has; they are left out</source>
         <translation>{count} pas ont des temps ou des valeurs qu’aucun appareil n’a&#xa0;; ils sont omis</translation>
+    </message>
+    <message>
+        <source>{count} trials on {device}</source>
+        <translation>essais sur {device}&#xa0;: {count}</translation>
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
@@ -14192,6 +14439,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name!r} is the name of a condition; choose another name</source>
         <translation>{name!r} est le nom d’une condition&#xa0;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>{name!r} is the name of something else</source>
+        <translation>{name!r} est le nom d’autre chose</translation>
     </message>
     <message>
         <source>{name!r} moves no slider</source>
@@ -14382,6 +14633,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{path}&#xa0;: {reason}</translation>
     </message>
     <message>
+        <source>{percent:.2g} % of the time the force is at its limit</source>
+        <translation>la force est à sa limite {percent:.2g}&#xa0;% du temps</translation>
+    </message>
+    <message>
         <source>{percent} %</source>
         <translation>{percent}&#xa0;%</translation>
     </message>
@@ -14560,6 +14815,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{what} ({proof})</source>
         <translation>{what} ({proof})</translation>
+    </message>
+    <message>
+        <source>{what}, but the numbers would fit another unit</source>
+        <translation>{what}, mais les nombres correspondraient à une autre unité</translation>
     </message>
     <message>
         <source>{what}, with the axes that were given</source>
