@@ -282,7 +282,7 @@ def test_only_numbers_are_compared_and_the_rest_is_counted(running):
 
 def test_a_study_without_the_sum_is_analysed(study, scripted, tmp_path):
     content = json.loads(study.content)
-    del content["pages"][1]
+    del content["pages"][1], content["while_watching"]
     made = change_definition(study, content)
     run("study", "simulate", made.folder, "--participants", "7")
     run("study", "analyse", made.folder, "--output", tmp_path / "out")

@@ -36,14 +36,15 @@ def test_a_pilot_that_tells_too_little_is_refused(values: np.ndarray) -> None:
 
 
 def test_yes_and_no_have_the_power_of_two_shares() -> None:
-    """48 against 48 answers of one kind of people: z of the difference of two shares."""
+    """48 against 48 answers of four people: the difference of two shares by t."""
     even = LatentPopulation(
         LinkFunction.PROBIT, np.zeros(1), np.array([0.75]), 0.0, 0.0
     )
     found = find_model_power(even, ("a", "b"), 12, PowerGoal(largest=4, studies=100))
     second = scipy.stats.norm.cdf(0.75)
     error = np.sqrt((0.25 + second * (1.0 - second)) / 48)
-    expected = scipy.stats.norm.cdf((second - 0.5) / error - 1.96)
+    least = scipy.stats.t.ppf(0.975, 3)
+    expected = scipy.stats.norm.cdf((second - 0.5) / error - least)
     assert found.curves["a-b"] == (pytest.approx(expected, abs=0.1),)
     assert found.curves["a-b"] == found.curves["all pairs"]
     assert "likelihood ratio" in power_summary(found)["tests"]

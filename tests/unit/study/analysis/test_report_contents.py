@@ -252,7 +252,8 @@ def test_tables_and_figures_are_numbered(made):
 def test_each_f_t_and_chi_square_has_its_degrees_of_freedom(made):
     tables = [one for one in made.blocks if isinstance(one, ReportTable)]
     seen = [name for one in tables for name in one.head if name in ("F", "t", "chi²")]
-    assert sorted(seen) == ["F", "F", "chi²", "chi²", "chi²", "t"]
+    assert sorted(seen) == ["F", "F", "chi²", "chi²", "chi²", "t", "t", "t"]
+    assert all("df" in one.head for one in tables if "t" in one.head)
     friedman = table(made.blocks, "Friedman")
     row = dict(zip(friedman.head, friedman.rows[0], strict=True))
     assert row["df"] == "2"
