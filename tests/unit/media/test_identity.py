@@ -191,8 +191,9 @@ def changed_at(clip, target, at_s):
         video = container.streams.video[0]
         entries = [one for one in video.index_entries if one.is_keyframe]
         late = next(e for e in entries if e.timestamp * video.time_base >= at_s)
+        end = late.pos + late.size  # an entry is of an open container
     content = bytearray(clip.read_bytes())
-    content[late.pos + late.size - 3] ^= 1
+    content[end - 3] ^= 1
     target.write_bytes(content)
     return target
 
