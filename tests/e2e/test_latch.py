@@ -63,27 +63,21 @@ def test_a_grip_button_ends_the_forces_of_a_measurement():
     record, clock = os.memfd_create("record"), SystemClock()
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     passed = (record, theirs.fileno())
-    process = subprocess.Popen(
-        [sys.executable, "-m", "tests.e2e.measuring_owner", *map(str, passed)],
-        pass_fds=passed,
-        stderr=subprocess.PIPE,
-        text=True,
-        cwd=ROOT,
-    )
+    command = [sys.executable, "-m", "tests.e2e.measuring_owner", *map(str, passed)]
     controls = Controls(ours.detach())
-    try:
-        while process.poll() is None:
-            size = os.fstat(record).st_size
-            if size and read_record(record)["commanded_n"][-1:].any():
-                break
-            clock.sleep_until(clock.now_s() + 0.01)
-        pressed_s = clock.now_s()
-        controls.press(1)
-        _, said = process.communicate(timeout=60)
-    finally:
-        process.kill()
-        theirs.close()
-        controls.close()
+    with subprocess.Popen(
+        command, pass_fds=passed, stderr=subprocess.PIPE, text=True, cwd=ROOT
+    ) as process:
+        try:
+            while process.poll() is None and not _has_pushed(record):
+                clock.sleep_until(clock.now_s() + 0.01)
+            pressed_s = clock.now_s()
+            controls.press(1)
+            _, said = process.communicate(timeout=60)
+        finally:
+            process.kill()
+            theirs.close()
+            controls.close()
     assert process.returncode == 1, said
     assert "stopped by a button on the grip" in said
     ticks = read_record(record)
@@ -93,3 +87,10 @@ def test_a_grip_button_ends_the_forces_of_a_measurement():
     assert not pushes[-1]
     begins = np.diff(pushes[ticks["monotonic_s"] > pressed_s].astype(int)) > 0
     assert begins.sum() <= 1  # what was on its way when the button went down
+
+
+def _has_pushed(record: int) -> bool:
+    try:
+        return bool(read_record(record)["commanded_n"][-1:].any())
+    except ValueError:  # it has not begun to write
+        return False
