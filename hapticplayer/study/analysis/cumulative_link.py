@@ -6,6 +6,7 @@ out by Laplace's approximation, as clmm of R's `ordinal` does (Christensen 2019)
 library has ordered answers with random effects.
 """
 
+import math
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any, NamedTuple
@@ -32,6 +33,11 @@ class LinkFunction(StrEnum):
 
     LOGIT = "logit"
     PROBIT = "probit"
+
+    @property
+    def spread(self) -> float:
+        """Standard deviation of the distribution."""
+        return math.pi / math.sqrt(3.0) if self is LinkFunction.LOGIT else 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,10 +113,12 @@ class FittedModel(Estimates):
     Attributes:
         covariance: (b, b) of `effects`; NaN where the data do not determine them.
         degrees: of freedom of the effects.
+        link: of the model.
     """
 
     covariance: Floats
     degrees: float
+    link: LinkFunction
 
     @property
     def errors(self) -> Floats:
@@ -141,6 +149,7 @@ def fit(
         best.inverse,
         covariance,
         answers.degrees,
+        link,
     )
 
 
@@ -185,9 +194,9 @@ class _Likelihood:
         )
 
 
-def level_shares(model: FittedModel, shift: float, link: LinkFunction) -> Floats:
+def level_shares(model: FittedModel, shift: float) -> Floats:
     """Probability (J,) of each level for a typical person and clip at a latent shift."""
-    below = _distribution(model.thresholds - shift, link)
+    below = _distribution(model.thresholds - shift, model.link)
     return np.diff(below, prepend=0.0, append=1.0)
 
 

@@ -12,9 +12,8 @@ import numpy as np
 
 from hapticplayer.errors import Message, Progress, UsageError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.cumulative_link import LinkFunction, estimate
+from hapticplayer.study.analysis.cumulative_link import LinkFunction, fit
 from hapticplayer.study.analysis.ordinal_mixed import (
-    FAR,
     difference,
     likelihood_ratio,
     ordered_answers,
@@ -65,8 +64,9 @@ class LatentPopulation(NamedTuple):
                 "participants to all feedbacks are needed, and not all alike",
                 least=LEAST_PILOT,
             )
-        found = estimate(answers, link)
-        if np.abs(found.effects).max() > FAR:
+        found = fit(answers, link)
+        differences = (difference(found, 0, j) for j in range(1, values.shape[2]))
+        if any(one["estimate"] is None for one in differences):
             raise UsageError(
                 "the mixed model cannot be fitted: nearly all answers to a feedback are "
                 "at an end of the scale; use the rank tests"

@@ -52,8 +52,13 @@ MOST_CLASSES = 10
 """Of a number that is no item; ten lose some 1 % of what all its values tell."""
 _MOST_CUTS = 4
 """At which a scale is cut in two, spread over its steps."""
-FAR = 12.0
-"""A latent shift beyond this is no estimate: all answers lie at an end."""
+_FAR = 7.0
+"""Standard errors and deviations beyond this, in those of a latent answer, are no estimates:
+errors are 14 or more where answers are apart, elsewhere 3.5 at most."""
+WITHOUT_ESTIMATE = (
+    "nearly all answers to a feedback are at an end of the scale or apart from those to "
+    "another one, or each person's are alike"
+)
 _FAR_ODDS = math.log(100.0)
 _LEAST_PEOPLE = 3
 _CELLS = "participant x feedback"
@@ -122,10 +127,10 @@ def compare(sample: Sample, link: LinkFunction) -> Found | None:
         "deviations": dict(zip(names, full.deviations.tolist(), strict=True)),
         "thresholds": full.thresholds.tolist(),
         "shares": {
-            name: level_shares(full, shift, link).tolist()
+            name: level_shares(full, shift).tolist()
             for name, shift in zip(sample.feedbacks, shifts, strict=True)
         },
-        "pairs": _pairs(sample, answers, full, link),
+        "pairs": _pairs(sample, answers, full),
     }
 
 
@@ -141,9 +146,9 @@ def likelihood_ratio(
 
 
 def _pairs(
-    sample: Sample, answers: OrderedAnswers, full: FittedModel, link: LinkFunction
+    sample: Sample, answers: OrderedAnswers, full: FittedModel
 ) -> dict[str, Found]:
-    at_cuts = list(_at_cuts(answers, full)) if link is LinkFunction.LOGIT else []
+    at_cuts = list(_at_cuts(answers, full)) if full.link is LinkFunction.LOGIT else []
     found = {}
     for i, j in combinations(range(len(sample.feedbacks)), 2):
         known = [one[j] - one[i] for one in at_cuts if not np.isnan(one[[i, j]]).any()]
@@ -172,9 +177,9 @@ def _at_cuts(answers: OrderedAnswers, full: FittedModel) -> Iterator[Floats]:
         design = (feedbacks[kept, None] == known[1:]).astype(np.float64)
         of = above[kept].astype(np.intp), design, tuple(groups), answers.nested
         start = full.at_cut(step - 1) if kept.all() else None
-        found = estimate(OrderedAnswers(*of), LinkFunction.LOGIT, start)
+        found = estimate(OrderedAnswers(*of), full.link, start)
         effects = np.full(count, np.nan)
-        if found.deviations.max() < FAR:
+        if found.deviations.max() < _FAR * full.link.spread:
             effects[known] = np.append(0.0, found.effects)
         yield effects
 
@@ -192,7 +197,8 @@ def contrast(model: FittedModel, of_effects: Floats) -> Found:
     weights, covariance = of_effects[used], model.covariance[np.ix_(used, used)]
     estimate = float(weights @ model.effects[used])
     error = math.sqrt(max(0.0, float(weights @ covariance @ weights)))
-    if not error > 0.0 or max(abs(estimate), error) > FAR:
+    far = _FAR * model.link.spread
+    if not 0.0 < error <= far or model.deviations.max() > far:
         return dict.fromkeys(("estimate", "error", "interval", "t", "df", "p"))
     by_t = scipy.stats.t(model.degrees)
     reach = float(by_t.isf(0.025)) * error
@@ -219,8 +225,7 @@ def _warnings(found: dict[str, Any]) -> list[str]:
         if one
     }
     return [
-        f"{measure}: the mixed model cannot estimate {listed(pairs)}: nearly all answers to a "
-        "feedback are at an end of the scale, or apart from those to another one."
+        f"{measure}: the mixed model cannot estimate {listed(pairs)}: {WITHOUT_ESTIMATE}."
         for measure, pairs in unknown.items()
         if pairs
     ]

@@ -25,6 +25,7 @@ from hapticplayer.study.analysis.cumulative_link import (
 )
 from hapticplayer.study.analysis.ordinal_mixed import (
     ORDINAL_LOGIT,
+    WITHOUT_ESTIMATE,
     contrast,
     groups_of,
     ordered_answers,
@@ -319,8 +320,8 @@ def _mixed_warnings(found: dict[str, Any]) -> Iterator[str]:
         ]
         if unknown:
             yield (
-                f"{measure}: the mixed model cannot estimate {listed(unknown)}: nearly all "
-                "answers are at an end of the scale."
+                f"{measure}: the mixed model cannot estimate {listed(unknown)}: "
+                f"{WITHOUT_ESTIMATE}."
             )
 
 

@@ -186,13 +186,38 @@ def test_a_feedback_without_effect_has_none() -> None:
     assert max(p_values) > 0.3
 
 
-def test_answers_at_the_end_of_the_scale_have_no_estimate() -> None:
+@pytest.mark.parametrize("link", LinkFunction)
+def test_answers_at_the_end_of_the_scale_have_no_estimate(link: LinkFunction) -> None:
     values = _simulated(0.3)
     values[:, :, 2] = 5.0
-    found = compare(_sample(values), LinkFunction.LOGIT)
+    found = compare(_sample(values), link)
     assert found is not None
     assert found["pairs"]["none-realistic"]["estimate"] is None
     assert found["pairs"]["none-random"]["estimate"] is not None
+
+
+@pytest.mark.parametrize(
+    ("link", "estimates", "errors"),
+    [
+        (LinkFunction.LOGIT, (8.208665, 15.321028), (1.295739, 1.646501)),
+        (LinkFunction.PROBIT, (4.196104, 7.952126), (0.538679, 0.703959)),
+    ],
+)
+def test_large_differences_are_known_with_either_link(
+    link: LinkFunction, estimates: tuple[float, ...], errors: tuple[float, ...]
+) -> None:
+    """Feedbacks that share no answer but overlap with a third one; golden numbers of clmm."""
+    rng = np.random.default_rng(11)
+    latent = rng.logistic(size=(15, 4, 3)) + rng.normal(size=(15, 1, 1))
+    latent += rng.normal(size=(15, 1, 3)) + np.array([0.0, 6.5, 13.0])
+    values = 1.0 + np.searchsorted(np.arange(-1.0, 15.0, 2.0), latent)
+    assert values[:, :, 0].max() < values[:, :, 2].min()
+    found = compare(_sample(values), link)
+    assert found is not None
+    pairs = [found["pairs"][f"none-{one}"] for one in ("random", "realistic")]
+    estimated = [one["estimate"] for one in pairs]
+    np.testing.assert_allclose(estimated, estimates, rtol=1e-3)
+    np.testing.assert_allclose([one["error"] for one in pairs], errors, rtol=1e-3)
 
 
 @pytest.mark.parametrize(
