@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.cli.common import refuse_idle, say, shown_progress
+from hapticplayer.cli.common import refuse_idle, say, say_aside, shown_progress
 from hapticplayer.cli.study_analysis import (
     add_effect,
     add_feedback,
@@ -83,9 +83,14 @@ class Population:
     def power(
         self, goal: PowerGoal, link: LinkFunction | None, progress: Progress
     ) -> Power:
-        """By rank tests, or by the mixed model with a link."""
+        """By rank tests, or by the mixed model with a link, without factors."""
         if link is None:
             return find_power(self.draw, self.feedbacks, goal, progress)
+        if self.of_levels:
+            say_aside(
+                "--model tests feedbacks alone; leave it out for the power of the rank tests "
+                "of the factors in which sequences differ"
+            )
         model = LatentPopulation.of(self.answers(), link, is_item=self.is_item)
         of = self.feedbacks, self.sequences
         return find_model_power(model, *of, goal, progress)

@@ -15,7 +15,7 @@ from hapticplayer import cli
 from hapticplayer.errors import StudyError
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
-from hapticplayer.study.analysis import AnalysisOptions
+from hapticplayer.study.analysis import AnalysisOptions, model_power
 from hapticplayer.study.analysis.analysis import analyse
 from hapticplayer.study.analysis.blocks import Paragraph, ReportFigure, ReportTable
 from hapticplayer.study.analysis.power import PowerGoal, find_level_power
@@ -251,6 +251,19 @@ def test_power_of_levels_is_of_the_test_that_analyse_makes() -> None:
     ]
     assert curves == hits.tolist()
     assert curves[1] > 0.5
+
+
+def test_power_by_the_model_says_that_it_is_not_of_factors(
+    viewpoint, capsys, monkeypatch
+) -> None:
+    monkeypatch.setattr(model_power, "significant_shares", lambda *_: np.full(5, 0.5))
+    simulate(viewpoint)
+    capsys.readouterr()
+    words = ["study", "power", str(viewpoint.folder), "--largest", "4", "--json"]
+    assert cli.main([*words, "--model", "logit"]) == 0
+    told = capsys.readouterr()
+    assert "levels" not in json.loads(told.out)
+    assert "--model tests feedbacks alone" in told.err
 
 
 def test_power_tells_levels_where_the_effect_differs(capsys) -> None:
