@@ -174,6 +174,6 @@ def _p_values(
     answers = ordered_answers(population.drawn(people, sequences, rng))
     if answers is None:
         return [1.0] * (1 + len(pairs))
-    full, _, p_all = likelihood_ratio(answers, population.link)
+    full, together = likelihood_ratio(answers, population.link)
     found = holm([difference(full, i, j)["p"] for i, j in pairs])
-    return [p_all, *(1.0 if p is None else p for p in found)]
+    return [together["p_all"], *(1.0 if p is None else p for p in found)]

@@ -22,6 +22,7 @@ import scipy
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.cumulative_link import (
+    Estimates,
     FittedModel,
     LinkFunction,
     OrderedAnswers,
@@ -113,17 +114,14 @@ def compare(sample: Sample, link: LinkFunction) -> Found | None:
     answers = ordered_answers(values, is_item=sample.is_item, sites=sites)
     if answers is None:
         return None
-    full, chi2, p_all = likelihood_ratio(answers, link)
+    full, together = likelihood_ratio(answers, link)
     names = [*[_CELLS] * (answers.nested - 1), *groups_of(values, sites)]
     shifts = (0.0, *full.effects)
     return {
         "n": len(answers.levels),
         "levels": int(answers.levels.max()) + 1,
         "log_likelihood": full.log_likelihood,
-        "chi2": chi2,
-        "df": len(sample.feedbacks) - 1,
-        "p": None,
-        "p_all": p_all,
+        **together,
         "deviations": dict(zip(names, full.deviations.tolist(), strict=True)),
         "thresholds": full.thresholds.tolist(),
         "shares": {
@@ -136,13 +134,20 @@ def compare(sample: Sample, link: LinkFunction) -> Found | None:
 
 def likelihood_ratio(
     answers: OrderedAnswers, link: LinkFunction
-) -> tuple[FittedModel, float, float]:
-    """The model, and chi-square and p of all its effects together."""
+) -> tuple[FittedModel, Found]:
+    """The model, and the test of all its effects together."""
     nothing = replace(answers, design=answers.design[:, :0])
     none = estimate(nothing, link)
     full = fit(answers, link, none.with_effects(answers.design))
-    chi2 = max(0.0, 2.0 * (full.log_likelihood - none.log_likelihood))
-    return full, chi2, float(scipy.stats.chi2.sf(chi2, len(full.effects)))
+    return full, ratio(full, none)
+
+
+def ratio(full: Estimates, less: Estimates) -> Found:
+    """The likelihood ratio test of the effects that `less` has not."""
+    df = len(full.effects) - len(less.effects)
+    chi2 = max(0.0, 2.0 * (full.log_likelihood - less.log_likelihood))
+    p_all = float(scipy.stats.chi2.sf(chi2, df))
+    return {"chi2": chi2, "df": df, "p": None, "p_all": p_all}
 
 
 def _pairs(
@@ -186,9 +191,14 @@ def _at_cuts(answers: OrderedAnswers, full: FittedModel) -> Iterator[Floats]:
 
 def difference(model: FittedModel, i: int, j: int) -> Found:
     """Feedback j less i, as `contrast`."""
-    weights = np.zeros(len(model.effects) + 1)
+    return contrast(model, apart(i, j, len(model.effects) + 1)[1:])
+
+
+def apart(i: int, j: int, count: int) -> Floats:
+    """Weights (count,) of entry j less entry i."""
+    weights = np.zeros(count)
     weights[i], weights[j] = -1.0, 1.0
-    return contrast(model, weights[1:])
+    return weights
 
 
 def contrast(model: FittedModel, of_effects: Floats) -> Found:
@@ -257,6 +267,20 @@ def _count(value: int | None) -> str:
     return "-" if value is None else str(value)
 
 
+ESTIMATE_COLUMNS = (
+    ReportColumn("chi²", "chi2"),
+    ReportColumn("df", "df", _count),
+    ReportColumn("p (all)", "p_all", p_value),
+    ReportColumn("difference", "estimate"),
+    ReportColumn("95 % CI", "interval", interval),
+)
+TEST_COLUMNS = (
+    ReportColumn("t", "t"),
+    ReportColumn("p", "p", p_value),
+    ReportColumn("p (Holm)", "p_holm", p_value),
+)
+
+
 def _statistic(link: LinkFunction) -> Statistic:
     is_logit = link is LinkFunction.LOGIT
     odds = ReportColumn("odds ratio", "estimate", _odds)
@@ -268,15 +292,9 @@ def _statistic(link: LinkFunction) -> Statistic:
         of="measure: pair",
         columns=(
             ReportColumn("n", "n", _count),
-            ReportColumn("chi²", "chi2"),
-            ReportColumn("df", "df", _count),
-            ReportColumn("p (all)", "p_all", p_value),
-            ReportColumn("difference", "estimate"),
-            ReportColumn("95 % CI", "interval", interval),
+            *ESTIMATE_COLUMNS,
             *((odds,) if is_logit else ()),
-            ReportColumn("t", "t"),
-            ReportColumn("p", "p", p_value),
-            ReportColumn("p (Holm)", "p_holm", p_value),
+            *TEST_COLUMNS,
             *((at_cuts,) if is_logit else ()),
         ),
         note="Row of a measure: likelihood ratio of all feedbacks. Sums and scores entered in "

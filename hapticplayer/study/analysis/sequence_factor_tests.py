@@ -11,7 +11,6 @@ from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS, structure
@@ -24,23 +23,20 @@ from hapticplayer.study.analysis.cumulative_link import (
     fit,
 )
 from hapticplayer.study.analysis.ordinal_mixed import (
+    ESTIMATE_COLUMNS,
     ORDINAL_LOGIT,
+    TEST_COLUMNS,
     WITHOUT_ESTIMATE,
+    apart,
     contrast,
     groups_of,
     ordered_answers,
+    ratio,
 )
 from hapticplayer.study.analysis.random_intercepts import Indices
 from hapticplayer.study.analysis.rank_tests import WILCOXON, signed_rank
 from hapticplayer.study.analysis.scores import Sample
-from hapticplayer.study.analysis.statistic import (
-    Found,
-    ReportColumn,
-    Statistic,
-    interval,
-    listed,
-    p_value,
-)
+from hapticplayer.study.analysis.statistic import Found, Statistic, listed
 
 LEAST_CLIPS = 5
 """Sequences of a level below which its effect hardly holds for other sequences."""
@@ -105,14 +101,11 @@ def level_contrasts(
     """
     shape, found = (len(levels), len(feedbacks)), {}
     for i, j in combinations(range(len(levels)), 2):
-        apart = np.zeros(len(levels))
-        apart[i], apart[j] = -1.0, 1.0
-        name = f"{levels[i]}-{levels[j]}"
-        found[name] = np.broadcast_to(apart[:, None] / len(feedbacks), shape).ravel()
+        of_levels, name = apart(i, j, len(levels)), f"{levels[i]}-{levels[j]}"
+        means = np.broadcast_to(of_levels[:, None] / len(feedbacks), shape)
+        found[name] = means.ravel()
         for k, m in combinations(range(len(feedbacks)), 2):
-            of_feedbacks = np.zeros(len(feedbacks))
-            of_feedbacks[k], of_feedbacks[m] = -1.0, 1.0
-            weights = np.outer(apart, of_feedbacks).ravel()
+            weights = np.outer(of_levels, apart(k, m, len(feedbacks))).ravel()
             found[f"{feedbacks[k]}-{feedbacks[m]}, {name}"] = weights
     return found
 
@@ -204,7 +197,7 @@ def _of_levels(model: FittedModel, names: tuple[str, ...]) -> Found:
     before = np.zeros(len(model.effects) - len(names) + 1)
     return {
         f"{names[i]}-{names[j]}": contrast(
-            model, np.concatenate([before, _apart(i, j, len(names))])
+            model, np.concatenate([before, apart(i, j, len(names))[1:]])
         )
         for i, j in combinations(range(len(names)), 2)
     }
@@ -216,35 +209,24 @@ def _of_feedbacks(
     """Differences of two feedbacks at each level, and those between two levels."""
     found = {}
     for i, j in combinations(range(len(feedbacks)), 2):
-        apart, pair = _apart(i, j, len(feedbacks)), f"{feedbacks[i]}-{feedbacks[j]}"
-        at = [_at_level(apart, level, len(names)) for level in range(len(names))]
-        for name, weights in zip(names, at, strict=True):
-            found[f"{pair}, {name}"] = contrast(model, weights)
+        pair, weights = f"{feedbacks[i]}-{feedbacks[j]}", apart(i, j, len(feedbacks))
+        at = [_at_level(weights[1:], level, len(names)) for level in range(len(names))]
+        for name, here in zip(names, at, strict=True):
+            found[f"{pair}, {name}"] = contrast(model, here)
         for k, m in combinations(range(len(names)), 2):
             found[f"{pair}, {names[k]}-{names[m]}"] = contrast(model, at[m] - at[k])
     return found
 
 
-def _apart(i: int, j: int, count: int) -> Floats:
-    """Entry j less entry i, of those after the first."""
-    weights = np.zeros(count)
-    weights[i], weights[j] = -1.0, 1.0
-    return weights[1:]
-
-
-def _at_level(apart: Floats, level: int, levels: int) -> Floats:
+def _at_level(weights: Floats, level: int, levels: int) -> Floats:
     """A difference of feedbacks at a level: of feedbacks, levels and their products."""
     is_level = (np.arange(1, levels) == level).astype(np.float64)
-    products = np.outer(apart, is_level).ravel()
-    return np.concatenate([apart, np.zeros(levels - 1), products])
+    products = np.outer(weights, is_level).ravel()
+    return np.concatenate([weights, np.zeros(levels - 1), products])
 
 
 def _ratio(full: FittedModel, less: Estimates) -> Found:
-    df = len(full.effects) - len(less.effects)
-    chi2 = max(0.0, 2.0 * (full.log_likelihood - less.log_likelihood))
-    p_all = float(scipy.stats.chi2.sf(chi2, df))
-    deviations = full.deviations.tolist()
-    return {"chi2": chi2, "df": df, "p": None, "p_all": p_all, "deviations": deviations}
+    return {**ratio(full, less), "deviations": full.deviations.tolist()}
 
 
 def effects_at_levels(
@@ -325,10 +307,6 @@ def _mixed_warnings(found: dict[str, Any]) -> Iterator[str]:
             )
 
 
-def _optional(value: int | None) -> str:
-    return "-" if value is None else str(value)
-
-
 FACTOR_RANKS = Statistic(
     "factor_ranks",
     "Factors of the sequences x feedback: analysis of variance of aligned ranks",
@@ -364,16 +342,7 @@ FACTOR_LOGIT = Statistic(
     "Factors of the sequences x feedback: cumulative-link mixed model (logit)",
     lambda sample, _: _each(sample, mixed),
     of="effect or difference",
-    columns=(
-        ReportColumn("chi²", "chi2"),
-        ReportColumn("df", "df", _optional),
-        ReportColumn("p (all)", "p_all", p_value),
-        ReportColumn("difference", "estimate"),
-        ReportColumn("95 % CI", "interval", interval),
-        ReportColumn("t", "t"),
-        ReportColumn("p", "p", p_value),
-        ReportColumn("p (Holm)", "p_holm", p_value),
-    ),
+    columns=(*ESTIMATE_COLUMNS, *TEST_COLUMNS),
     note="df of a difference: of t. Rows with chi²: likelihood ratio of the factor, and of its interaction with the "
     "feedback. Differences are on the latent scale, second less first: of two levels; of two feedbacks at "
     "a level; and by how much that one is larger at the second of two levels.",
