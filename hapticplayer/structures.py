@@ -27,6 +27,7 @@ MAX_COMMAS, MAX_BRACKETS = 3_000_000, 1_000_000
 MAX_TEXT = 20_000
 KEY = r"^[a-z0-9_][a-z0-9_-]{0,39}\Z"
 FILLED = r"\S"
+SHA256 = r"^[0-9a-f]{64}\Z"
 _MAX_SHOWN, _MAX_SAID = 40, 200
 
 _KINDS = {
@@ -47,6 +48,17 @@ _LIMITS = {
     "str of length <= ": Message("must have at most {limit} characters"),
 }
 _CORRECT = Message("correct it")
+_OF_PATTERNS = {
+    KEY: (
+        Message("is not a valid key"),
+        Message(
+            "use at most {most} of a-z, 0-9, _ and -, without a - in front", most=40
+        ),
+    ),
+    FILLED: (Message("is empty"), _CORRECT),
+    SHA256: (Message("is not a SHA-256 checksum"), _CORRECT),
+}
+"""How a text is refused that does not match."""
 
 Kind = TypeVar("Kind")
 Refusal = tuple[Message, Message]
@@ -195,13 +207,9 @@ def _reworded(said: str, kind: Any) -> Refusal:
             Message("{value!r} is not allowed", value=named[0][:_MAX_SHOWN]),
             Message("choose one of {known}", known=", ".join(known)),
         )
-    if what == "Expected " and KEY in said:
-        remedy = Message(
-            "use at most {most} of a-z, 0-9, _ and -, without a - in front", most=40
-        )
-        return Message("is not a valid key"), remedy
-    if what == "Expected " and FILLED in said:
-        return Message("is empty"), _CORRECT
+    for pattern, refusal in _OF_PATTERNS.items():
+        if what == "Expected " and repr(pattern) in said:  # as msgspec writes it
+            return refusal
     return _expected(named) if what == "Expected " else Message(
         said[:_MAX_SAID]
     ), _CORRECT

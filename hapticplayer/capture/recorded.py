@@ -232,11 +232,13 @@ def _finish_log(log: Path) -> tuple[Floats, int]:
 def _pair(row: bytes) -> tuple[float, float] | None:
     """Time and arrival of a row; None of a damaged one, as a power failure leaves it."""
     try:
-        cells = [float(cell) if cell.strip() else 0.0 for cell in row.split(b",")]
+        first, *between, last = row.split(b",")
+        pair = float(first), float(last)
+        values = [float(cell) for cell in between if cell.strip()]
     except ValueError:
         return None
-    is_sane = len(cells) == len(COLUMNS) and all(abs(one) < _MOST_S for one in cells)
-    return (cells[0], cells[-1]) if is_sane else None
+    is_sane = all(abs(one) < _MOST_S for one in (*pair, *values))
+    return pair if is_sane and len(between) == len(COLUMNS) - 2 else None
 
 
 def _clocks(pairs: Floats, take: Take) -> list[SourceClockLine]:

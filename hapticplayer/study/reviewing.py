@@ -9,10 +9,10 @@ from msgspec import Meta
 
 from hapticplayer import storage
 from hapticplayer.errors import StudyError
-from hapticplayer.structures import read_json
+from hapticplayer.structures import SHA256, read_json
 
 REVIEWED = "reviewed.json"
-_Digest = Annotated[str, Meta(pattern=r"^[0-9a-f]{64}\Z")]
+_Digest = Annotated[str, Meta(pattern=SHA256)]
 
 
 def text_digest(code: str, name: str, text: str) -> str:

@@ -27,7 +27,7 @@ from hapticplayer.errors import (
     part_of,
 )
 from hapticplayer.sequence.store import DESCRIPTION, copy_files
-from hapticplayer.structures import convert, decode
+from hapticplayer.structures import SHA256, convert, decode
 from hapticplayer.study.definition import JsonObject, Key, read_file, refuse
 from hapticplayer.study.definition_reader import DEFINITION, to_be_worded
 from hapticplayer.study.orders import ORDERS
@@ -38,7 +38,7 @@ from hapticplayer.study.study_folder import Study
 MANIFEST, PACKED, SITE = "manifest.json", "packed.json", "site.json"
 """Of a package, of the study that was packed, of a session."""
 _SEQUENCES = "sequences"
-_Sha256 = Annotated[str, Meta(pattern=r"^[0-9a-f]{64}\Z")]
+_Sha256 = Annotated[str, Meta(pattern=SHA256)]
 _PACK_AGAIN = Message("get the package again, or pack the study again")
 
 

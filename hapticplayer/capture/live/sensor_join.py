@@ -38,7 +38,8 @@ class SensorJoin:
         whole = (stamp_s, arrival_s, *values)
         if held is None or len(whole) != 5 or not all(map(math.isfinite, whole)):
             return
-        if sensor == ACCEL and stamp_s < self._last_s - _ANEW_S:
+        newest_s = self._accel[-1][0] if self._accel else self._last_s
+        if sensor == ACCEL and stamp_s < newest_s - _ANEW_S:
             self._begin_anew()
         first_s = self._last_s if sensor == ACCEL else self._last_s - _BEFORE_S
         # one far ahead would stand before all that follow

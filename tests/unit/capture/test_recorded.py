@@ -135,7 +135,7 @@ def test_a_killed_recording_of_counted_samples_has_their_rate(make_take):
     assert media_s == pytest.approx(time_s / 1.004 + 0.003, abs=0.002)
 
 
-@pytest.mark.parametrize("damage", [b"\0" * 50, b"1.0,2.0", b"1,x,0,0,0,0,0,1", b"nan,0,0,9.8,0,0,0,1", b"1e9,0,0,9.8,0,0,0,1"])  # fmt: skip
+@pytest.mark.parametrize("damage", [b"\0" * 50, b"1.0,2.0", b"1,x,0,0,0,0,0,1", b"nan,0,0,9.8,0,0,0,1", b"1e9,0,0,9.8,0,0,0,1", b",0,0,9.8,0,0,0,1", b"1,0,0,9.8,0,0,0,"])  # fmt: skip
 def test_damaged_rows_of_a_killed_recording_are_counted(make_take, tmp_path, damage):
     folder = make_take(is_killed=True)
     head, first, *rows = (folder / LOG).read_bytes().split(b"\n")

@@ -137,6 +137,19 @@ def test_a_rate_of_a_far_time_hides_none_of_the_others():
     assert rate[-1, 0] == pytest.approx(28.5)
 
 
+@pytest.mark.parametrize("far_s", [1e9, -1e9])
+def test_an_acceleration_of_a_far_time_costs_few_samples(far_s):
+    join, rates = SensorJoin(), []
+    for k in range(60):
+        join.add(ACCEL, far_s, (0, 0, 9.8), 0.02 * k) if k == 20 else None
+        join.add(ACCEL, 0.02 * k, (0, 0, 9.8), 0.02 * k)
+        rates.append(join.take().rate_radps)  # the gyroscope is later
+        join.add(RATE, 0.02 * k, (k, 0, 0), 0.02 * k)
+    known = np.concatenate(rates)[:, 0]
+    assert np.isfinite(known).sum() > 40
+    assert known[-1] == pytest.approx(58.0)
+
+
 def test_a_problem_is_told_after_the_samples_before_it():
     queued = phones.Queued(SystemClock(), SensorJoin(), "x")
     events = [(sensor, 1.0, (0.0, 0.0, 9.8)) for sensor in (RATE, ACCEL)]
