@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import json
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -167,11 +168,15 @@ def shares_of(given: Iterable[str]) -> dict[str, float]:
     for text in given:
         level, _, share = text.partition("=")
         try:
-            found[level] = float(share)
+            value = float(share)
         except ValueError:
+            value = math.nan
+        if level in found or not 0.0 <= value < math.inf:
             raise UsageError(
-                "--level {text!r} has to be LEVEL=SHARE, such as third=0.5", text=text
-            ) from None
+                "--level {text!r} has to be LEVEL=SHARE, such as third=0.5, each level once",
+                text=text,
+            )
+        found[level] = value
     return found
 
 

@@ -8,8 +8,8 @@ from hapticplayer.study.definition import Definition, TrialKind
 from hapticplayer.study.questions import Fault
 
 MOST_LEVELS = 6
-_FEEDBACK = "feedback"
-"""Of which the analysis names an effect."""
+_OF_ANALYSIS = ("feedback", "measure", "all")
+"""Which effects, figures and rows of the analysis are named by."""
 
 
 def faults(made: Definition) -> Iterator[Fault]:
@@ -17,7 +17,8 @@ def faults(made: Definition) -> Iterator[Fault]:
     if made.trial is not TrialKind.RATING:
         what = Message("is not used in {kind} trials", kind=made.trial.value)
         yield "sequences[0].factors", what, Message("remove it")
-    taken = {_FEEDBACK, *made.languages, *made.feedback_keys}
+    taken = {*_OF_ANALYSIS, *made.languages, *made.feedback_keys}
+    taken |= {one.key for one in made.sequences}
     divided: list[tuple[int, ...]] = []
     for name, levels in made.sequence_factors.items():
         for number, level in enumerate(levels):

@@ -302,7 +302,7 @@ def _mixed_warnings(found: dict[str, Any]) -> Iterator[str]:
         ]
         if unknown:
             yield (
-                f"{measure}: the mixed model cannot estimate {listed(unknown)}: "
+                f"{measure}: the mixed model cannot estimate {'; '.join(unknown)}: "
                 f"{WITHOUT_ESTIMATE}."
             )
 

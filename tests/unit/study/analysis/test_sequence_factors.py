@@ -204,6 +204,12 @@ def test_levels_are_columns_of_each_export(viewpoint, tmp_path, manual_clock):
         (lambda all_of: [one.update(viewpoint="first") for one in all_of], "2 to 6"),
         (lambda all_of: [one.update(none="x") for one in all_of], "something else"),
         (lambda all_of: all_of[0].update(viewpoint="random"), "something else"),
+        (lambda all_of: all_of[0].update(viewpoint="bike-first"), "something else"),
+        (lambda all_of: all_of[0].update(viewpoint="all"), "something else"),
+        (  # of which the report has a figure
+            lambda all_of: [one.update(measure=one.pop("viewpoint")) for one in all_of],
+            "'measure' is the name of something else",
+        ),
         (
             lambda all_of: [one.update(v=f"x{one['viewpoint']}") for one in all_of],
             "as another factor does",
@@ -274,4 +280,7 @@ def test_power_tells_levels_where_the_effect_differs(capsys) -> None:
     assert curves["none-realistic, first-third"][-1] > 0.8
     assert curves["first-third"][-1] < 0.2  # the share moves no level as a whole
     assert "0.2 of it at third" in told["population"]
-    assert cli.main([*words, "--level", "first=1"]) == 2
+    for wrong in (["first=1"], ["first=1", "third=nan"], ["first=1", "first=2"]):
+        given = [word for one in wrong for word in ("--level", one)]
+        assert cli.main([*words, *given]) == 2
+        assert "--level" in capsys.readouterr().err
