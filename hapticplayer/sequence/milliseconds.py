@@ -75,9 +75,9 @@ def corners(track: ForceTrack, first_ms: int, last_ms: int) -> tuple[Ticks, Floa
 
 
 def goes_on_after(track: ForceTrack, end_s: float) -> bool:
-    """Whether a track has force of its own after the end of a clip."""
+    """Whether a track has force of its own a millisecond after the end of a clip."""
     active, last_s = track.active_s, float(track.time_s[-1])
-    return bool(len(active)) and min(float(active[-1, 1]), last_s) > end_s
+    return bool(len(active)) and min(float(active[-1, 1]), last_s) > end_s + 0.001
 
 
 def pieces(until_ms: int, size_ms: int = PIECE_MS) -> Iterator[tuple[int, int]]:
