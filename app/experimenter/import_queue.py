@@ -226,8 +226,8 @@ class QueuePage(JobDialog):
 
     def poll(self) -> None:
         """Show how far the clip is, and begin with the next one."""
-        self.jobs.poll()  # which raises what is a fault of the program
-        self.progress.show_state(state := self.jobs.state())
+        super().poll()  # which raises what is a fault of the program
+        state = self.jobs.state()
         running = self._at(State.RUNNING)
         if state is not None and running is not None:
             step = f"{100.0 * state.fraction:.0f}\u00a0%"

@@ -60,8 +60,8 @@ class ImportWizard(JobDialog):
         self._lay_out()
         self.files.changed.connect(self._look_anew)
         self.files.several_wanted.connect(self._leave_for_several)
-        self.files.suggestion.changed.connect(self._show_buttons)
-        self.sync.decided.connect(self._show_buttons)
+        self.files.suggestion.changed.connect(self.show_buttons)
+        self.sync.decided.connect(self.show_buttons)
         self.sync.method_chosen.connect(self._look)
         self.begin()
         self.go_to(FILES)
@@ -127,7 +127,7 @@ class ImportWizard(JobDialog):
         if step != SYNC:
             self.sync.close_jobs()
         self._show_steps()
-        self._show_buttons()
+        self.show_buttons()
 
     def _show_steps(self) -> None:
         names = (
@@ -146,7 +146,7 @@ class ImportWizard(JobDialog):
         self.steps.setText(" &nbsp;\u203a&nbsp; ".join(shown))
         self.steps.setAccessibleName(names[at])
 
-    def _show_buttons(self) -> None:
+    def show_buttons(self) -> None:
         at, is_busy = self.stack.currentIndex(), self.jobs.is_busy
         self.back.setVisible(at < REPORT)
         self.back.setEnabled(at > FILES and not is_busy)
@@ -206,7 +206,7 @@ class ImportWizard(JobDialog):
             return
         self.preview = None
         self.files.forget()
-        self._show_buttons()
+        self.show_buttons()
         if self.jobs.is_busy:  # with what was chosen before
             self._is_stale = True
             self.jobs.cancel()
@@ -222,7 +222,7 @@ class ImportWizard(JobDialog):
             return in_child(preview_import, video, log, *said, progress=progress)
 
         self.jobs.run(self.tr("Reading {0}").format(video.name), work, self.on_found)
-        self._show_buttons()
+        self.show_buttons()
 
     def on_found(self, found: ImportPreview) -> None:
         """Show what a recording is, unless another one was chosen meanwhile."""
@@ -269,7 +269,7 @@ class ImportWizard(JobDialog):
 
         self.problem.clear()
         self.jobs.run(self.tr("Importing {0}").format(video.name), work, self.on_made)
-        self._show_buttons()
+        self.show_buttons()
 
     def _choices(self) -> Choices:
         rendering = self.mounting.rendering.chosen()
@@ -302,16 +302,11 @@ class ImportWizard(JobDialog):
 
     def poll(self) -> None:
         """Show how far the work is, and what came of it."""
-        was_busy = self.jobs.is_busy
-        self.jobs.poll()
+        super().poll()
         self.sync.poll()
-        self.progress.show_state(self.jobs.state())
-        if was_busy and not self.jobs.is_busy:
-            if self._is_stale and not self.is_leaving:
-                self._is_stale = False
-                self._look()
-            else:
-                self._show_buttons()
+        if self._is_stale and not (self.is_leaving or self.jobs.is_busy):
+            self._is_stale = False
+            self._look()
 
     def cancel_jobs(self) -> None:
         """Ask what runs to stop."""

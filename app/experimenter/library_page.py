@@ -70,7 +70,7 @@ class LibraryPage(JobDialog):
         self.list.setIconSize(QSize(THUMBNAIL_PX * 16 // 9, THUMBNAIL_PX))
         self.list.setSpacing(2)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.list.currentItemChanged.connect(lambda *_: self._on_chosen())
+        self.list.currentItemChanged.connect(lambda *_: self.show_buttons())
         self.list.itemActivated.connect(lambda _item: self._open())
         self.list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.list.customContextMenuRequested.connect(self.open_menu)
@@ -205,7 +205,7 @@ class LibraryPage(JobDialog):
         self._filter()
         if self.list.currentItem() is None and self.list.count():
             self.list.setCurrentRow(0)
-        self._on_chosen()
+        self.show_buttons()
 
     def chosen(self) -> Entry | None:
         """Return the sequence that is chosen, if one is."""
@@ -233,9 +233,9 @@ class LibraryPage(JobDialog):
             item = self.list.item(row)
             entry: Entry = item.data(_ENTRY)
             item.setHidden(not entry.matches(words))
-        self._on_chosen()
+        self.show_buttons()
 
-    def _on_chosen(self) -> None:
+    def show_buttons(self) -> None:
         entry = self.chosen()
         self.details.show_entry(entry)
         is_whole = entry is not None and not entry.problem
@@ -390,18 +390,11 @@ class LibraryPage(JobDialog):
             return
         self.status.show_text("")
         self.jobs.run(title, work, done)  # type: ignore[arg-type]
-        self._on_chosen()
-
-    def on_failed(self, problem: BaseException) -> None:
-        """Tell what went wrong."""
-        self.status.show_problem(problem)
+        self.show_buttons()
 
     def poll(self) -> None:
-        """Show how far the work is, and what came of it."""
-        is_over = self.jobs.poll()
-        self.progress.show_state(self.jobs.state())
-        if is_over:
-            self._on_chosen()
+        """Show what came of the work, and the thumbnails that are made."""
+        super().poll()
         self._poll_pictures()
 
     def _poll_pictures(self) -> None:

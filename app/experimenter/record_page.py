@@ -315,14 +315,10 @@ class RecordPage(JobDialog):
 
     def poll(self) -> None:
         """Show what is recorded now, and what came of the work."""
-        was_busy = self.jobs.is_busy
         super().poll()
         self._looking.poll()
-        self.progress.show_state(self.jobs.state())
         if self.feeling.feel is None or self._drawing.is_due(self._clock.now_s()):
             self._follow()
-        if was_busy and not self.jobs.is_busy:
-            self.show_buttons()
 
     def _follow(self) -> None:
         """Show what is recorded or would be."""

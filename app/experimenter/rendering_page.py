@@ -287,10 +287,6 @@ class RenderingPage(JobDialog):
 
     # --- what is shown -------------------------------------------------------
 
-    def on_failed(self, problem: BaseException) -> None:
-        """Tell what went wrong."""
-        self.status.show_problem(problem)
-
     def _show(self) -> None:
         """Show what is known, and what can be done now."""
         is_writing = self._is_writing or self._wanted is not None
@@ -317,13 +313,14 @@ class RenderingPage(JobDialog):
 
     # --- what happens by itself ----------------------------------------------
 
+    def show_buttons(self) -> None:
+        """Show what came of the work."""
+        self._is_writing = False
+        self._show()
+
     def poll(self) -> None:
         """Show how far the work is, and what came of it."""
-        is_over = self.jobs.poll()
-        self.progress.show_state(self.jobs.state())
-        if is_over:
-            self._is_writing = False
-            self._show()
+        super().poll()
         self._wait = max(0, self._wait - 1)
         if self.jobs.is_busy or self.is_leaving:
             return

@@ -214,7 +214,7 @@ class SharePage(JobDialog):
 
         self.status.show_text("")
         self.jobs.run(self.tr("Sharing"), work, self._on_written)
-        self._show_busy()
+        self.show_buttons()
 
     def _on_written(self, target: Path) -> None:
         names = ", ".join(path.name for path in outputs_of(target))
@@ -225,11 +225,7 @@ class SharePage(JobDialog):
         self.status.show_text(text, theme.GOOD)
         self.shared.emit(target)
 
-    def on_failed(self, problem: BaseException) -> None:
-        """Tell what went wrong."""
-        self.status.show_problem(problem)
-
-    def _show_busy(self) -> None:
+    def show_buttons(self) -> None:
         is_busy = self.jobs.is_busy
         self.progress.show_state(self.jobs.state())
         self.save_button.setEnabled(self._contents is not None and not is_busy)
@@ -237,13 +233,6 @@ class SharePage(JobDialog):
             button.setEnabled(not is_busy)
         has_motion = self._contents is not None and self._contents.has_motion
         self.with_motion.setEnabled(has_motion and not is_busy)
-
-    def poll(self) -> None:
-        """Show how far the work is, and what came of it."""
-        is_over = self.jobs.poll()
-        self.progress.show_state(self.jobs.state())
-        if is_over:
-            self._show_busy()
 
 
 def size_text(size_bytes: int) -> str:

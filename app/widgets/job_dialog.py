@@ -5,17 +5,24 @@ from PySide6.QtWidgets import QDialog, QWidget
 
 from app.bridge.jobs import Jobs
 from app.widgets.layout import resize_within_screen
+from app.widgets.messages import JobRow, StatusLine
 
 _POLL_MS = 40
 
 
 class JobDialog(QDialog):
-    """Runs one piece of work at a time; a page says in `poll` what it sees of it.
+    """Runs one piece of work at a time, in `jobs`.
+
+    A page makes `progress`, the row of its work, and `status`, the line of its outcome,
+    or says in `poll` and `on_failed` what it shows instead.
 
     Args:
         size_px: width and height, where the screen has room.
         parent: whom it belongs to.
     """
+
+    progress: JobRow
+    status: StatusLine
 
     def __init__(self, size_px: tuple[int, int], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -31,11 +38,17 @@ class JobDialog(QDialog):
 
     def on_failed(self, problem: BaseException) -> None:
         """Tell what went wrong."""
-        raise problem
+        self.status.show_problem(problem)
 
     def poll(self) -> None:
-        """Hand over what has been done, and show the rest."""
-        self.jobs.poll()
+        """Show how far the work is, and what came of it."""
+        is_over = self.jobs.poll()
+        self.progress.show_state(self.jobs.state())
+        if is_over:
+            self.show_buttons()
+
+    def show_buttons(self) -> None:
+        """Show what can be done now; called when nothing runs any more."""
 
     @property
     def is_working(self) -> bool:

@@ -68,7 +68,7 @@ class MergePage(JobDialog):
         self.table = plain_table(
             self.tr("Copies to merge"), headings, 1, is_chosen_from=True
         )
-        self.table.itemSelectionChanged.connect(self._show_chosen)
+        self.table.itemSelectionChanged.connect(self.show_buttons)
         self.site, self.detail, self.status = (
             QLineEdit(),
             QPlainTextEdit(),
@@ -83,7 +83,7 @@ class MergePage(JobDialog):
         self.detail.setFixedHeight(high_px + 16)
         self._lay_out()
         self.begin()
-        self._show_chosen()
+        self.show_buttons()
 
     def _lay_out(self) -> None:
         intro = self.tr(
@@ -146,7 +146,7 @@ class MergePage(JobDialog):
                 self.table.setItem(row, column, item)
             self._show_result(row, copy.found)
         self.table.selectRow(chosen)
-        self._show_chosen()
+        self.show_buttons()
 
     def _show_result(self, row: int, found: Merged | None) -> None:
         cell = self.table.item(row, 2)
@@ -169,7 +169,7 @@ class MergePage(JobDialog):
         row = self.table.currentRow()
         return self.copies[row] if 0 <= row < len(self.copies) else None
 
-    def _show_chosen(self) -> None:
+    def show_buttons(self) -> None:
         copy, is_free = self.chosen(), not self.jobs.is_busy
         self.choose.setEnabled(is_free)
         self.remove.setEnabled(is_free and copy is not None)
@@ -207,7 +207,7 @@ class MergePage(JobDialog):
             lambda progress: in_child(merged, self.folder, copies, progress=progress),
             self._take,
         )
-        self._show_chosen()
+        self.show_buttons()
 
     def _take(self, found: list[Merged]) -> None:
         for copy, one in zip(self.copies, found, strict=True):
@@ -226,17 +226,6 @@ class MergePage(JobDialog):
             ),
             theme.WARN if left else "",
         )
-
-    def on_failed(self, problem: BaseException) -> None:
-        """Say why nothing was merged."""
-        self.status.show_problem(problem)
-
-    def poll(self) -> None:
-        """Show how far the work is, and what came of it."""
-        is_over = self.jobs.poll()
-        self.progress.show_state(self.jobs.state())
-        if is_over:
-            self._show_chosen()
 
 
 def _told(found: Merged) -> str:

@@ -119,8 +119,8 @@ class StudyResults(JobDialog):
         self.texts.setWordWrap(True)
         header = self.texts.horizontalHeader()
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
-        self.sessions.itemSelectionChanged.connect(self._on_chosen)
-        self.texts.itemSelectionChanged.connect(self._on_chosen)
+        self.sessions.itemSelectionChanged.connect(self.show_buttons)
+        self.texts.itemSelectionChanged.connect(self.show_buttons)
         self.progress = JobRow(text_button(self.tr("Stop"), self.tr("Cancel")))
         self.progress.stop.clicked.connect(self.jobs.cancel)
         self.buttons = self._make_buttons()
@@ -222,7 +222,7 @@ class StudyResults(JobDialog):
         title = self.tr("Text answers")
         self.tabs.setTabText(1, f"{title} ({count})" if count else title)
         self.summary.setText(self._summary_text(found))
-        self._on_chosen()
+        self.show_buttons()
 
     def _summary_text(self, found: StudyOverview) -> str:
         if not found.sessions:
@@ -309,7 +309,7 @@ class StudyResults(JobDialog):
         rows = sorted({index.row() for index in self.texts.selectedIndexes()})
         return [self.overview.unreviewed[row] for row in rows]
 
-    def _on_chosen(self) -> None:
+    def show_buttons(self) -> None:
         one, is_free = self.chosen(), not self.jobs.is_busy
         is_open = one is not None and one.state is SessionState.UNFINISHED
         has_sessions = bool(self.overview and self.overview.sessions)
@@ -476,18 +476,7 @@ class StudyResults(JobDialog):
             lambda progress: in_child(work, *arguments, progress=progress),
             finished,
         )
-        self._on_chosen()
-
-    def on_failed(self, problem: BaseException) -> None:
-        """Tell what went wrong."""
-        self.status.show_problem(problem)
-
-    def poll(self) -> None:
-        """Show how far the work is, and what came of it."""
-        is_over = self.jobs.poll()
-        self.progress.show_state(self.jobs.state())
-        if is_over:
-            self._on_chosen()
+        self.show_buttons()
 
 
 def _state_text(one: SessionSummary) -> str:
