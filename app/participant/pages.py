@@ -5,11 +5,13 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from app.participant.fitted_page import FittedPage, paragraph
 from app.participant.questions import (
+    AFTER,
+    BEFORE,
     ROWS,
     PairRow,
     QuestionRow,
@@ -17,6 +19,7 @@ from app.participant.questions import (
     digit_of,
     is_typing,
 )
+from app.widgets import theme
 from app.widgets.buttons import Button, set_role
 from app.widgets.layout import STRETCH, row_of
 from hapticplayer.study.pages import Page, PageKind, PageMaker
@@ -48,6 +51,7 @@ class TextPage(FittedPage):
         self.text = paragraph(page.text, centred=is_short)
         self.column.addWidget(self.text)
         self.problem = paragraph("", centred=True)
+        self.problem.setStyleSheet(f"color: {theme.WARN};")
         self.problem.hide()
         self.column.addWidget(self.problem)
         self.buttons: dict[str, Button] = {}
@@ -141,7 +145,7 @@ class QuestionsPage(FittedPage):
         grid = QGridLayout(table)
         grid.setContentsMargins(0, 0, 0, 0)
         for line, (heading, clips) in enumerate(page.replays):
-            grid.addWidget(QLabel(heading), line, 0)
+            grid.addWidget(paragraph(heading), line, 0)
             for place, (text, token) in enumerate(clips, 1):
                 button = Button(f"\u25b6 {text}")
                 button.setAccessibleName(f"{heading}, {text}")
@@ -157,6 +161,13 @@ class QuestionsPage(FittedPage):
         for row in self.rows:
             if isinstance(row, TextRow):
                 row.set_font_size(font_px)
+        metrics = QFontMetrics(self.body.font())
+        for name in (BEFORE, AFTER):  # scales of a page are equally long
+            labels = self.body.findChildren(QLabel, name)
+            texts = (label.text() for label in labels)
+            wide_px = max(map(metrics.horizontalAdvance, texts), default=0)
+            for label in labels:
+                label.setFixedWidth(wide_px + 1)  # its own hint is that of old letters
         pairs = [row for row in self.rows if isinstance(row, PairRow)]
         margins = self.column.contentsMargins()
         room_px = self.width() - margins.left() - margins.right()
@@ -185,7 +196,8 @@ class QuestionsPage(FittedPage):
                 row.focus()
                 self.fit()
                 is_last = row is self.rows[-1]
-                self.keep_in_sight(*([self.next] if is_last else []), row)
+                last = [self.next] if is_last else []
+                self.keep_in_sight(*last, row, row.title)  # the row may be higher
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         digit = digit_of(event)

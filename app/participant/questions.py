@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtGui import QFocusEvent, QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
@@ -30,13 +30,11 @@ from hapticplayer.study.questions import kind_of, range_of
 
 TEXT_LINES = 2
 _BESIDE_PX = 14  # between a scale and the labels at its ends
+BEFORE, AFTER = "before", "after"  # names of these labels
 _BESIDE_LETTERS = 16  # a longer label has its place below
 _OF_PAIR = 3  # times as wide as a point
 _IN_A_LINE = 11  # points
-_ROW_LETTERS, _BUTTON_LETTERS = (
-    60,
-    5,
-)  # of a row of answers; of a button beside its text
+_ROW_LETTERS, _BUTTON_LETTERS = 60, 5  # of a row of answers; beside a button's text
 _NUMBERED = re.compile(r"(\d+)\b")
 _OFF, _ON = "\u2610 ", "\u2611 "
 
@@ -130,7 +128,9 @@ class ButtonsRow(QuestionRow):
         """As many beside each other as there is room for."""
         texts = [button.text() for button in self.group.buttons()]
         letters = max(map(len, texts), default=0) + _BUTTON_LETTERS
-        columns = min(len(texts), max(1, _ROW_LETTERS // letters)) or 1
+        most = min(len(texts), max(1, _ROW_LETTERS // letters)) or 1
+        rows = -(-len(texts) // most)
+        columns = -(-len(texts) // rows)  # no row is much shorter than the others
         grid = QGridLayout()
         for number, button in enumerate(self.group.buttons()):
             grid.addWidget(button, number // columns, number % columns)
@@ -189,10 +189,11 @@ class PairRow(ScaleRow):
     """Points between two opposites, which are the question."""
 
     def _laid_out(self) -> QLayout:
-        self._grid = QGridLayout()
+        self._grid, self._above = QGridLayout(), row_of(spacing=_BESIDE_PX)
         for number, button in enumerate(self.group.buttons()):
             self._grid.addWidget(button, 1, 1 + number)
             self._grid.setColumnStretch(1 + number, 1)
+        self._grid.addLayout(self._above, 0, 1, 1, len(self._values))
         labels = self.asked.labels
         self._ends = [QLabel(labels.get(self._values[at], "")) for at in (0, -1)]
         for end in self._ends:
@@ -203,9 +204,9 @@ class PairRow(ScaleRow):
     def fits_beside(self, width_px: int) -> bool:
         """Whether a page has room for the opposites beside the points."""
         wide_px = [one.minimumWidth() for one in self.group.buttons()]
-        wide_px += [
-            end.fontMetrics().horizontalAdvance(end.text()) for end in self._ends
-        ]
+        metrics = QFontMetrics(self._ends[0].font())
+        ends_px = (metrics.horizontalAdvance(end.text()) for end in self._ends)
+        wide_px += [end_px + _BESIDE_PX for end_px in ends_px]
         gaps_px = len(wide_px) * self._grid.horizontalSpacing()
         return (
             sum(wide_px) + gaps_px
@@ -214,24 +215,25 @@ class PairRow(ScaleRow):
 
     def put_beside(self, *, is_beside: bool) -> None:
         """Put the opposites beside the points, or above the first and the last."""
-        count, half = len(self._values), len(self._values) // 2
-        places = ((1, 0, 1, 1), (1, count + 1, 1, 1))
-        if not is_beside:
-            places = ((0, 1, 1, half), (0, count + 1 - half, 1, half))
         align = Qt.AlignmentFlag
-        for end, place, is_last in zip(self._ends, places, (False, True), strict=True):
-            side = align.AlignLeft if is_last == is_beside else align.AlignRight
-            end.setAlignment(side | align.AlignVCenter)
+        for end, column in zip(self._ends, (0, 1 + len(self._values)), strict=True):
+            is_left = bool(column) == is_beside
+            high = align.AlignVCenter if is_beside else align.AlignBottom
+            end.setAlignment((align.AlignLeft if is_left else align.AlignRight) | high)
             end.setWordWrap(not is_beside)
-            self._grid.addWidget(end, *place)
-        for column in (0, count + 1):
+            end.setIndent(_BESIDE_PX * is_beside)  # on the side of the points
+            if is_beside:
+                self._grid.addWidget(end, 1, column)
+            else:
+                self._above.addWidget(end, 1)
             self._grid.setColumnStretch(column, _OF_PAIR * is_beside)
         self.column.activate()
 
     def show_missing(self, text: str) -> None:
-        """Show the title only to say what is wrong."""
+        """Show the title where it says more than the opposites."""
         super().show_missing(text)
-        self.title.setVisible(bool(text or self.asked.heading))
+        ends = " \u2013 ".join(one for _, one in sorted(self.asked.labels.items()))
+        self.title.setVisible(self.title.text() != ends)
 
 
 class ChoicesRow(ButtonsRow):
@@ -400,31 +402,43 @@ def labelled(
     """
     first, last = labels.get(points[0], ""), labels.get(points[-1], "")
     across = -(-len(points) // (1 + (len(parts) > _IN_A_LINE)))
-    is_short = max(len(first), len(last)) <= _BESIDE_LETTERS
-    if is_short and across == len(points) and labels.keys() <= {points[0], points[-1]}:
-        before = (QLabel(first), _BESIDE_PX) if first else ()
-        after = (_BESIDE_PX, QLabel(last)) if last else ()
-        return row_of(*before, *((part, 1) for part in parts), *after)
-    grid = QGridLayout()
-    wide = max(2, across)  # columns
-    for number, part in enumerate(parts):
-        columns = 1 if len(parts) > 1 else wide
-        grid.addWidget(part, 2 * (number // across), number % across, 1, columns)
     is_of_ends = labels.keys() <= {points[0], points[-1]}
-    for column in range(wide):
+    is_short = max(len(first), len(last)) <= _BESIDE_LETTERS
+    if is_short and is_of_ends and across == len(points):
+        return _beside(parts, first, last)
+    grid = QGridLayout()
+    for number, part in enumerate(parts):
+        columns = 1 if len(parts) > 1 else across
+        grid.addWidget(part, 2 * (number // across), number % across, 1, columns)
+    for column in range(across):
         grid.setColumnStretch(column, 1)
-    for number, at in enumerate(points):
-        if at in labels:
-            line = paragraph(labels[at], centred=not is_of_ends)
-            row, half = 2 * (number // across) + 1, wide // 2
-            if not is_of_ends:
-                grid.addWidget(line, row, number % across)
-            elif number:
-                line.setAlignment(Qt.AlignmentFlag.AlignRight)
-                grid.addWidget(line, row, wide - half, 1, half)
+    align = Qt.AlignmentFlag
+    for begin in range(0, len(points), across):
+        row, of_row = 2 * (begin // across) + 1, points[begin : begin + across]
+        of_ends = row_of(spacing=_BESIDE_PX)
+        for column, at in enumerate(of_row):
+            if at not in labels:
+                continue
+            line = paragraph(labels[at], centred=True)
+            if is_of_ends:
+                side = align.AlignRight if at == points[-1] else align.AlignLeft
+                line.setAlignment(side | align.AlignTop)
+                of_ends.addWidget(line, 1)
             else:
-                grid.addWidget(line, row, 0, 1, half)
+                grid.addWidget(line, row, column)
+        grid.addLayout(of_ends, row, 0, 1, len(of_row))
     return grid
+
+
+def _beside(parts: list[QWidget], first: str, last: str) -> QLayout:
+    """Parts between the labels of their ends."""
+    before, after = QLabel(first), QLabel(last)
+    before.setObjectName(BEFORE)
+    before.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    after.setObjectName(AFTER)
+    of_first = (before, _BESIDE_PX) if first else ()
+    of_last = (_BESIDE_PX, after) if last else ()
+    return row_of(*of_first, *((part, 1) for part in parts), *of_last)
 
 
 ROWS: dict[QuestionKind, type[QuestionRow]] = {

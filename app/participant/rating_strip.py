@@ -327,7 +327,7 @@ class RatingStrip(QWidget):
         box.setTop(self._text_px + 0.55 * self.fontMetrics().height())
         range_text = f"{least} \u2013 {most}"
         painter.setPen(_dark("TEXT"))
-        text = self.typed or (range_text if one.spoken else f"{range_text}:  _")
+        text = self.typed or (range_text if one.spoken else f"{range_text}   _")
         painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, text)
 
 

@@ -156,6 +156,7 @@ class VisualScale(QSlider):
 
 
 _ENDLESS_PX = 10_000
+_WRAP = Qt.TextFlag.TextWordWrap
 
 
 class LabelRoom(NamedTuple):
@@ -169,20 +170,21 @@ class LabelRoom(NamedTuple):
     def draw(self, painter: QPainter, top_px: float, bottom_px: float) -> None:
         box = QRectF(self.left_px, top_px, self.right_px - self.left_px, 0.0)
         box.setBottom(bottom_px)
-        breaks = self._breaks(painter.fontMetrics())
-        painter.drawText(box, self.side | Qt.AlignmentFlag.AlignTop | breaks, self.text)
+        text = self.breakable(painter.fontMetrics())
+        painter.drawText(box, self.side | Qt.AlignmentFlag.AlignTop | _WRAP, text)
 
     def high_px(self, metrics: QFontMetrics) -> int:
         wide_px = max(1, int(self.right_px - self.left_px))
         box = QRect(0, 0, wide_px, _ENDLESS_PX)
-        return metrics.boundingRect(box, self._breaks(metrics), self.text).height()
+        return metrics.boundingRect(box, _WRAP, self.breakable(metrics)).height()
 
-    def _breaks(self, metrics: QFontMetrics) -> Qt.TextFlag:
-        """Between words, or anywhere if one of them is too long for a line."""
-        wide_px = max(map(metrics.horizontalAdvance, self.text.split()), default=0)
-        is_whole = wide_px <= self.right_px - self.left_px
-        flags = Qt.TextFlag
-        return flags.TextWordWrap if is_whole else flags.TextWrapAnywhere
+    def breakable(self, metrics: QFontMetrics) -> str:
+        """The text; a word that is too long for a line may be broken anywhere."""
+        wide_px = self.right_px - self.left_px
+        return " ".join(
+            word if metrics.horizontalAdvance(word) <= wide_px else "\u200b".join(word)
+            for word in self.text.split()
+        )
 
 
 def rooms_of(
@@ -190,22 +192,26 @@ def rooms_of(
     labels: Mapping[float, str],
     edges_px: tuple[float, float],
 ) -> list[LabelRoom]:
-    """The room of each label, at most up to half the way to its neighbours.
+    """The room of each label, about up to half the way to its neighbours.
 
     Args:
         metrics: of the letters.
         labels: by the place of their point, px.
         edges_px: left and right one of all.
     """
-    if not labels:
-        return []
     places, half_px = sorted(labels), 0.5 * _APART * metrics.height()
+    wide = [metrics.horizontalAdvance(labels[at]) + 2.0 for at in places]
     middles = [(one + other) / 2.0 for one, other in pairwise(places)]
+    if len(places) > 2:  # an end has no room outside: as much as its neighbour at most
+        for end, edge, sign in ((0, edges_px[0], 1.0), (-1, edges_px[1], -1.0)):
+            needed = sign * edge + wide[end] + half_px
+            fair = sign * (edge + 2.0 * places[1 if end == 0 else -2]) / 3.0
+            middles[end] = sign * max(sign * middles[end], min(needed, fair))
     lefts = [edges_px[0], *(middle + half_px for middle in middles)]
     rights = [*(middle - half_px for middle in middles), edges_px[1]]
     return [
-        _room(labels[at], at, left, right, metrics.horizontalAdvance(labels[at]) + 2.0)
-        for at, left, right in zip(places, lefts, rights, strict=True)
+        _room(labels[at], at, left, right, wide_px)
+        for at, left, right, wide_px in zip(places, lefts, rights, wide, strict=False)
     ]
 
 

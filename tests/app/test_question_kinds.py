@@ -122,7 +122,7 @@ def test_a_key_that_is_held_answers_one_question(page, qtbot):
 @pytest.mark.parametrize("wide_px", [1200, 500])
 @pytest.mark.parametrize("places", [(0, 50, 100), (0, 10, 90), (40, 50, 60)])
 def test_long_labels_of_a_mark_are_whole_and_apart(qtbot, wide_px, places):
-    words = "as strong as anything that I have ever felt in my whole life"
+    words = "as strong as anything that I have ever felt in my whole long life, or more"
     scale = VisualScale((0, 100), dict.fromkeys(places, words))
     qtbot.addWidget(scale)
     scale.resize(wide_px, scale.heightForWidth(wide_px))
