@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 
 import numpy as np
 import pytest
@@ -18,7 +19,13 @@ from hapticplayer.study.creation import (
 )
 from hapticplayer.study.definition import When
 from hapticplayer.study.definition_reader import parse_definition, to_be_worded
-from hapticplayer.study.scales import page_of_scale, read_scale, scale_names
+from hapticplayer.study.scales import (
+    SCALES,
+    TEMPLATES,
+    page_of_scale,
+    read_scale,
+    scale_names,
+)
 from hapticplayer.study.scoring import PageScores
 
 LAB_BRINGS_WORDING = {"hxi", "ipq"}
@@ -336,3 +343,24 @@ def test_reliability_is_open_where_it_is_not_defined():
     two = reliability(np.array([[1.0, 2.0], [2.0, 4.0], [3.0, 5.0]]))
     assert two.alpha is not None
     assert two.omega is None
+
+
+def french(part):
+    """Yield the French texts of a file."""
+    if isinstance(part, dict):
+        for name, one in part.items():
+            yield from [one] if name == "fr" else french(one)
+    elif isinstance(part, list):
+        for one in part:
+            yield from french(one)
+
+
+def test_french_texts_have_french_spaces_and_apostrophes():
+    texts = [
+        text
+        for folder in (SCALES, TEMPLATES)
+        for path in folder.glob("*.json")
+        for text in french(json.loads(path.read_text(encoding="utf-8")))
+    ]
+    assert len(texts) > 150
+    assert [text for text in texts if re.search("[^\u00a0][:;?!]|'", text)] == []
