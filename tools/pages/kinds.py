@@ -5,17 +5,21 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtTest import QTest
+
 from app.participant.application import StudySession
 from hapticplayer.study.creation import change_definition, create_study, new_definition
-from hapticplayer.study.definition import When
+from hapticplayer.study.definition import QuestionPage, When
 from hapticplayer.study.pages import PageKind
+from hapticplayer.study.scales import page_of_scale, scale_names
 from hapticplayer.study.study_folder import Study
 from tools.pages.stage import Pictures, Stage
 from tools.pages.study import KEYS, in_session, showing
 
 TEMPLATES = (
     *("sickness", "incongruence", "two-interval", "staircase", "magnitude"),
-    *("consistency", "haptic-experience"),
+    *("consistency", "haptic-experience", "qoe2012", "viewpoint"),
 )
 WORDS = {"de": "Geschwindigkeitsbegrenzung", "fr": "anticonstitutionnellement"}
 LONG = "And please think of the whole clip, not only of its end, before you answer this one."
@@ -44,41 +48,45 @@ ALSO_OF_PAGE = (("choice", "choices", "yes-no"), ("text",))
 
 
 def pictures(stage: Stage) -> Pictures:
-    """Yield the pages of every template, then those of every kind with long texts."""
+    """Yield the pages of every template, then of every scale and kind of question."""
+    seen: set[str] = set()  # several templates share a page
     for template in TEMPLATES:
         content = json.loads(new_definition(template))
         keys = [one["key"] for one in content["sequences"]]
         folders = dict.fromkeys(keys, stage.material.demo)
         study = create_study(stage.folder / template, template, folders=folders)
-        study = _rated_soon(study)
+        study = _ready(study)
         with in_session(stage, study) as session:
             session.begin_session("", stage.language)
-            for name in _asked(study):
-                yield from showing(
-                    stage, session, ((name, "questions"),), f"-{template}"
-                )
+            if (text := str(study.definition.texts)) not in seen:
+                seen.add(text)
+                consent = (("consent", "consent"),)
+                yield from showing(stage, session, consent, f"-{template}")
+            yield from showing(stage, session, _asked(study, seen), f"-{template}")
             yield from _played(stage, session, template)
     study = _with_every_kind(stage)
     with in_session(stage, study) as session:
         session.begin_session("", stage.language)
-        pages = [(f"kind-{number}", "questions") for number in range(8)]
-        yield from showing(stage, session, pages, "")
+        yield from showing(stage, session, _asked(study, seen), "")
 
 
-def _rated_soon(study: Study) -> Study:
-    """A study that asks for a number at once: the demo is shorter than a minute."""
-    content = json.loads(study.content)
+def _ready(study: Study) -> Study:
+    """The study with a wording, which asks for a number within the short demo."""
+    text = study.content.decode()
+    content = json.loads(text.replace("\u2039", "").replace("\u203a", ""))
     for one in content.get("while_watching") or ():
         if one.get("every_s"):
             one["every_s"] = 5.0
+    content["gap_s"] = min(content.get("gap_s", 0.0), 1.0)
     return change_definition(study, content)
 
 
-def _asked(study: Study) -> Iterator[str]:
-    pages = study.definition.pages
-    yield from (one.key for one in pages if one.when in (When.BEFORE, When.AFTER))
-    if study.definition.pages_at(When.AFTER_CLIP):
-        yield "trial-01"
+def _asked(study: Study, seen: set[str]) -> Iterator[tuple[str, str, QuestionPage]]:
+    pages = [one for one in study.definition.pages if str(one) not in seen]
+    seen.update(map(str, pages))
+    for one in pages:
+        step = "trial-01" if one.when is When.AFTER_CLIP else one.key
+        yield step, "questions", one
 
 
 def _played(stage: Stage, session: StudySession, template: str) -> Pictures:
@@ -89,43 +97,67 @@ def _played(stage: Stage, session: StudySession, template: str) -> Pictures:
         runner.skip("a picture of the window")
     window.refresh()
     yield f"kind-ready-{template}", stage.picture(window, 150)
+    if runner.definition.gap_s:
+        window.content.show_problem(runner.maker.word("centre"))
+        stage.wait(150)
+        window.content.wait(60.0)  # until the window looks next
+        QCoreApplication.sendPostedEvents()
+        yield f"kind-waits-{template}", window.grab()
     runner.proceed()
     window.refresh()
     if runner.page.kind is PageKind.INTERVAL:
         yield f"kind-interval-{template}", stage.picture(window, 150)
     stage.wait_until(lambda: runner.page.kind is PageKind.PLAYING)
     window.refresh()
-    watching = runner.watching
-    if watching is None:
+    if runner.watching is None:
         return
     yield f"kind-rated-{template}", stage.picture(window, 800)
-    number = next((one for one in watching.ratings if one.every_s), None)
+    number = next((one for one in runner.watching.ratings if one.every_s), None)
     if number is not None:
-        stage.wait_until(lambda: watching.asking is not None)
+        stage.wait_until(lambda: _asks(session))
         yield f"kind-asked-{template}", stage.picture(window, 150)
-        watching.give(number.key, number.most or 0)
+        for key in (Qt.Key.Key_V, Qt.Key.Key_1):
+            QTest.keyPress(window, key)
+        yield f"kind-typed-{template}", stage.picture(window, 150)
+        if runner.watching is not None:
+            runner.watching.give(number.key, number.most or 0)
         stage.wait_until(lambda: runner.page.kind is PageKind.PAUSED)
         window.refresh()
         yield f"kind-rest-{template}", stage.picture(window, 150)
+
+
+def _asks(session: StudySession) -> bool:
+    """Whether a number is due; a play that a busy machine has stopped begins again."""
+    runner = session.runner
+    if runner.page.kind in (PageKind.READY, PageKind.PAUSED):
+        runner.proceed()
+    return runner.watching is not None and runner.watching.asking is not None
 
 
 def _with_every_kind(stage: Stage) -> Study:
     folders = dict.fromkeys(KEYS, stage.material.demo)
     study = create_study(stage.folder / "kinds", folders=folders)
     content = json.loads(study.content)
-    texts = _Texts(content["languages"])
+    languages = content["languages"]
+    texts = _Texts(languages)
     pages = [*OF_PAGE, *ALSO_OF_PAGE]
     content["pages"] += [
+        page_of_scale(name, f"scale-{name}", When.BEFORE, languages)
+        for name in scale_names()
+    ]
+    content["pages"] += [
         {
-            "key": f"kind-{4 * is_long + number}",
+            "key": f"kind-{4 * is_long + number}{'-alone' if is_alone else ''}",
             "when": "before",
             "text": texts.made("More questions"),
-            "questions": [texts.asked(kind, is_long) for kind in kinds],
+            "questions": [texts.asked(kind, is_long, is_alone) for kind in kinds],
+            "one_by_one": is_alone,
         }
         for is_long in (False, True)
         for number, kinds in enumerate(pages)
+        for is_alone in (False, True)
     ]
-    return change_definition(study, content)
+    return _ready(change_definition(study, content))
 
 
 @dataclass(frozen=True)
@@ -140,8 +172,8 @@ class _Texts:
             for one in self.languages
         }
 
-    def asked(self, kind: str, is_long: bool) -> dict[str, Any]:
-        key = f"{kind}{'-long' if is_long else ''}"
+    def asked(self, kind: str, is_long: bool, is_alone: bool) -> dict[str, Any]:
+        key = f"{kind}{'-long' if is_long else ''}{'-alone' if is_alone else ''}"
         asked = {"key": key, "kind": kind.removesuffix("-21").removesuffix("-named")}
         asked["text"] = self.made("How strong was it?", is_long=is_long)
         asked["help"] = self.made("As you felt it.", is_long=is_long)

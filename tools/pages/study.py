@@ -125,20 +125,21 @@ def _begin(stage: Stage, session: StudySession) -> Pictures:
 
 
 def showing(stage: Stage, session: StudySession, pages, more: str) -> Pictures:
-    """Yield pages (step, kind), and what they say of a missing answer."""
+    """Yield pages (step, kind, of questions), and what is said of a missing answer."""
     runner, window = session.runner, session.participant
     plan = replace(runner.plan, language=stage.language)
     runner.maker = maker = PageMaker(runner.definition, plan, runner.minutes)
-    for step, kind in pages:
-        window.show_page(maker.page(PageKind(kind), step, 99))
-        yield f"study-{step}-{kind}{more}", stage.picture(window, 150)
+    for step, kind, *asking in pages:
+        window.show_page(maker.page(PageKind(kind), step, 99, *asking))
+        name = f"study-{asking[0].key if asking else step}"
+        yield f"{name}-{kind}{more}", stage.picture(window, 150)
         if kind == "questions" and isinstance(window.content, QuestionsPage):
             row = window.content.rows[0]
             row.take_digit(3)
             window.content.show_problem(
                 window.content.rows[-1].asked.name, maker.word("missing")
             )
-            yield f"study-{step}-missing{more}", stage.picture(window, 150)
+            yield f"{name}-missing{more}", stage.picture(window, 150)
 
 
 def _while_it_runs(stage: Stage, session: StudySession) -> Pictures:
