@@ -15,8 +15,7 @@ from PySide6.QtWidgets import (
 from app.bridge.jobs import in_child
 from app.bridge.languages import translated
 from app.experimenter.quality_view import QualityView
-from app.experimenter.rendering_fields import preset_name
-from app.player.choices import feedbacks
+from app.player.choices import feedbacks, preset_name
 from app.player.question import choose
 from app.widgets import theme
 from app.widgets.buttons import text_button

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.bridge.languages import translated
 from app.experimenter.numbers import NumberBox, ThreeNumbers
+from app.player.choices import preset_name
 from app.widgets import theme
 from app.widgets.layout import STRETCH, captioned, paragraph, row_of
 from app.widgets.texts import local
@@ -281,16 +282,6 @@ class RenderingFields(QObject):
         if self.form is not None:
             for widget, is_needed in needed.items():
                 self.form.setRowVisible(widget, is_needed)
-
-
-def preset_name(name: str) -> str:
-    """The title of a preset; an unknown one by its own name."""
-    names = {
-        PresetName.FAITHFUL.value: translate("RenderingFields", "Faithful"),
-        PresetName.BALANCED.value: translate("RenderingFields", "Balanced"),
-        PresetName.EQUAL.value: translate("RenderingFields", "Equal"),
-    }
-    return names.get(name, name)
 
 
 def device_names() -> tuple[str, str, str]:

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.languages import NAMES, translated
+from app.bridge.languages import NAMES, spoken, translated
 from app.experimenter.session_outputs import SessionOutputs
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
@@ -92,6 +92,7 @@ class StartPanel(QWidget):
         self.language.setAccessibleName(self.tr("Language"))
         for language in languages:
             self.language.addItem(NAMES.get(language, language), language)
+        self.language.setCurrentIndex(max(0, self.language.findData(spoken())))
         self.hear = text_button(
             self.tr("Play a clip"), self.tr("Check that the sound is audible")
         )

@@ -9,6 +9,7 @@ from PySide6.QtCore import QCoreApplication, QObject
 from app.bridge.jobs import BackgroundLookup
 from app.bridge.languages import translated
 from app.player.health import device_name
+from app.widgets.texts import local
 from hapticplayer.devices import (
     NO_DEVICE,
     device_names,
@@ -16,16 +17,17 @@ from hapticplayer.devices import (
     takes_motion,
 )
 from hapticplayer.devices.falcon.transport import list_falcons
+from hapticplayer.model import PresetName
 from hapticplayer.playback.replay import FROM_LOG
 from hapticplayer.playback.source import FROM_FILE
 from hapticplayer.rendering import (
     FEEDBACKS,
     ChosenFeedback,
+    Parameter,
     ParameterKind,
     chosen_feedback,
     condition_named,
 )
-from hapticplayer.rendering.condition import described
 
 translate = QCoreApplication.translate
 
@@ -43,14 +45,31 @@ def feedback_words(chosen: ChosenFeedback) -> str:
     condition = condition_named(chosen.name)
     if condition is None:
         return chosen.name
-    clips = {p.name for p in condition.parameters if p.kind is ParameterKind.CLIP}
-    given = described(
-        {
-            name: Path(str(value)).name if name in clips else value
-            for name, value in chosen.parameters.items()
-        }
+    given = ", ".join(
+        f"{translated(one.text)} {_value_text(one, chosen.parameters[one.name])}"
+        for one in condition.parameters
+        if one.name in chosen.parameters
     )
     return translated(condition.text) + (f" ({given})" if given else "")
+
+
+def _value_text(parameter: Parameter, value: float | str) -> str:
+    """A value as people read it, with its unit."""
+    if not isinstance(value, str):
+        unit = parameter.range.unit if parameter.range else ""
+        return local(f"{value:g}\u00a0{unit}").rstrip()
+    is_clip = parameter.kind is ParameterKind.CLIP
+    return Path(value).name if is_clip else preset_name(value)
+
+
+def preset_name(name: str) -> str:
+    """The title of a preset; an unknown one by its own name."""
+    names = {
+        PresetName.FAITHFUL.value: translate("RenderingFields", "Faithful"),
+        PresetName.BALANCED.value: translate("RenderingFields", "Balanced"),
+        PresetName.EQUAL.value: translate("RenderingFields", "Equal"),
+    }
+    return names.get(name, name)
 
 
 def feedbacks(names: Iterable[str]) -> list[Choice]:

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import translated
+from app.player.choices import preset_name
 from app.widgets.buttons import text_button
 from app.widgets.files import folder_dialog
 from app.widgets.layout import (
@@ -150,7 +151,7 @@ class ConditionForm(QWidget):
         combo = QComboBox()
         combo.addItem(translate("ConditionForm", "As rendered"), "")
         for choice in parameter.choices:
-            combo.addItem(choice, choice)
+            combo.addItem(preset_name(choice), choice)
         self._add_combo(parameter, combo)
 
     def _track(self, parameter: Parameter) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLineEdit
 
-from app.player.choices import feedbacks
+from app.player.choices import feedback_words, feedbacks
 from app.player.condition_form import ConditionDialog, ConditionForm
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering import FEEDBACKS, ChosenFeedback, chosen_feedback
@@ -57,7 +57,7 @@ def test_a_chosen_condition_is_made_and_played(window, wait_for, sequence):
     assert made["delayed:delay_s=0.4"].time_s == pytest.approx(whole.time_s + 0.4)
     assert np.array_equal(made["realistic"].force_n, whole.force_n)
     combo = window.transport.feedback
-    assert combo.currentText() == "Delayed (delay_s 0.4)"
+    assert combo.currentText() == "Delayed (Delay 0.4\u00a0s)"
     window.session.choose_feedback("realistic")
     wait_for(lambda: combo.currentText() == "Realistic")
 
@@ -84,7 +84,7 @@ def test_the_dialog_says_what_is_wanted(application, qtbot):
 
 def test_a_long_folder_is_called_by_its_name():
     (choice,) = feedbacks(["shuffled:of=/a/very/long/folder/ride"])
-    assert choice.text == "Shuffled (of ride)"
+    assert choice.text == "Shuffled (Other sequence ride)"
 
 
 def test_a_condition_is_shown_and_changes_of_it_are_told(form):
@@ -98,3 +98,17 @@ def test_a_condition_is_shown_and_changes_of_it_are_told(form):
     combo = form.findChild(QComboBox, "preset")
     combo.setCurrentIndex(combo.findData("balanced"))
     assert told == ["scaled:gain=2", "realistic:preset=balanced"]
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "words"),
+    [
+        ("realistic", {"preset": "faithful"}, "Realistic (Preset Faithful)"),
+        ("delayed", {"delay_s": 0.5}, "Delayed (Delay 0.5\u00a0s)"),
+        ("scaled", {"gain": 2}, "Scaled (Gain 2)"),
+        ("shuffled", {"of": "/rides/horse"}, "Shuffled (Other sequence horse)"),
+        ("none", {}, "None"),
+    ],
+)
+def test_a_condition_is_shown_in_words(name, given, words):
+    assert feedback_words(ChosenFeedback(name, given)) == words

@@ -202,3 +202,13 @@ def test_a_sensor_that_is_not_there_is_shown_and_starts_nothing(
         assert session.runner is None
     finally:
         session.close()
+
+
+@pytest.mark.parametrize(("window", "pages"), [("de", "de"), ("fr", "en")])
+def test_pages_begin_in_the_window_s_language(
+    application, qtbot, monkeypatch, window, pages
+):
+    monkeypatch.setattr("app.experimenter.start_panel.spoken", lambda: window)
+    made = StartPanel(["en", "de"], [])
+    qtbot.addWidget(made)
+    assert made.language.currentData() == pages

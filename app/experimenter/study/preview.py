@@ -15,7 +15,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QStyle, QVBoxLayout, QWidget
 
-from app.bridge.languages import NAMES
+from app.bridge.languages import NAMES, spoken
 from app.experimenter.study.document import Content, filled
 from app.participant.fitted_page import FittedPage, style
 from app.participant.pages import make_page
@@ -123,7 +123,7 @@ class PagePreview(QWidget):
         self._later.start()
 
     def _offer(self, languages: list[str]) -> None:
-        held = self.language.currentData()
+        held = self.language.currentData() or spoken()
         offered = [self.language.itemData(n) for n in range(self.language.count())]
         if offered != languages:
             self.language.clear()
