@@ -118,8 +118,8 @@ def _device(now: Snapshot, checks: Checks) -> SessionCheck:
     is_real = SIMULATED not in now.leading.name or not checks.device
     is_good = is_real and now.leading.health is Health.READY
     remedy = Message(
-        "nobody feels a simulated device: choose a real one, or let the study do without "
-        "(its first page in the editor)"
+        "nobody feels a simulated device: choose a real one, or allow sessions without "
+        "one (first page of the study editor)"
     )
     if is_real:
         remedy = Message("wait until it is ready, or choose it again")

@@ -6821,23 +6821,23 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Button: agree to take part</source>
-        <translation>Taste: der Teilnahme zustimmen</translation>
+        <translation>Schaltfläche: der Teilnahme zustimmen</translation>
     </message>
     <message>
         <source>Button: decline to take part</source>
-        <translation>Taste: die Teilnahme ablehnen</translation>
+        <translation>Schaltfläche: die Teilnahme ablehnen</translation>
     </message>
     <message>
         <source>Button: next page</source>
-        <translation>Taste: nächste Seite</translation>
+        <translation>Schaltfläche: nächste Seite</translation>
     </message>
     <message>
         <source>Button: start the clip</source>
-        <translation>Taste: den Clip starten</translation>
+        <translation>Schaltfläche: den Clip starten</translation>
     </message>
     <message>
         <source>Button: feel the device</source>
-        <translation>Taste: das Gerät spüren</translation>
+        <translation>Schaltfläche: das Gerät spüren</translation>
     </message>
     <message>
         <source>Answer: yes</source>
@@ -6873,11 +6873,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Button: resume</source>
-        <translation>Taste: fortsetzen</translation>
+        <translation>Schaltfläche: fortsetzen</translation>
     </message>
     <message>
         <source>Button: end early</source>
-        <translation>Taste: vorzeitig beenden</translation>
+        <translation>Schaltfläche: vorzeitig beenden</translation>
     </message>
     <message>
         <source>Page: ended early</source>
@@ -6925,7 +6925,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Buttons and messages</source>
-        <translation>Tasten und Meldungen</translation>
+        <translation>Schaltflächen und Meldungen</translation>
     </message>
     <message>
         <source>During clips</source>
@@ -7366,7 +7366,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Buttons and messages</source>
-        <translation>Tasten und Meldungen</translation>
+        <translation>Schaltflächen und Meldungen</translation>
     </message>
     <message>
         <source>Text</source>
@@ -7374,7 +7374,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{code} stands for the participant&apos;s code, {minutes} for the expected duration, {trials} and {feedbacks} for their numbers, {feel} for the label of the button that plays the demonstration.</source>
-        <translation>{code} steht für den Code der Person, {minutes} für die erwartete Dauer, {trials} und {feedbacks} für deren Anzahl, {feel} für die Beschriftung der Taste, die die Vorführung spielt.</translation>
+        <translation>{code} steht für den Code der Person, {minutes} für die erwartete Dauer, {trials} und {feedbacks} für deren Anzahl, {feel} für die Beschriftung der Schaltfläche, die die Vorführung spielt.</translation>
     </message>
 </context>
 <context>
@@ -10417,6 +10417,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist kein MPEG-V (SEM)</translation>
     </message>
     <message>
+        <source>is not a SHA-256 checksum</source>
+        <translation>ist keine SHA-256-Prüfsumme</translation>
+    </message>
+    <message>
         <source>is not a WAV file</source>
         <translation>ist keine WAV-Datei</translation>
     </message>
@@ -10669,8 +10673,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kein Durchgang beginnt: {device} ist ausgefallen ({reason})</translation>
     </message>
     <message>
-        <source>nobody feels a simulated device: choose a real one, or let the study do without (its first page in the editor)</source>
-        <translation>ein simuliertes Gerät spürt niemand: Wählen Sie ein wirkliches, oder lassen Sie die Studie ohne auskommen (erste Seite im Studieneditor)</translation>
+        <source>nobody feels a simulated device: choose a real one, or allow sessions without one (first page of the study editor)</source>
+        <translation>ein simuliertes Gerät spürt niemand: Wählen Sie ein wirkliches, oder erlauben Sie Sitzungen ohne Gerät (erste Seite im Studieneditor)</translation>
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>

@@ -6849,7 +6849,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Name of a feedback, before its number</source>
-        <translation>Nom d’un retour, avant son numéro</translation>
+        <translation>Nom d’un retour haptique, avant son numéro</translation>
     </message>
     <message>
         <source>Name of a clip, before its number</source>
@@ -10417,6 +10417,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas du MPEG-V (SEM)</translation>
     </message>
     <message>
+        <source>is not a SHA-256 checksum</source>
+        <translation>n’est pas une somme de contrôle SHA-256</translation>
+    </message>
+    <message>
         <source>is not a WAV file</source>
         <translation>n’est pas un fichier WAV</translation>
     </message>
@@ -10669,8 +10673,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun essai ne commence&#xa0;: {device} a été perdu ({reason})</translation>
     </message>
     <message>
-        <source>nobody feels a simulated device: choose a real one, or let the study do without (its first page in the editor)</source>
-        <translation>personne ne sent un appareil simulé&#xa0;: choisissez-en un réel, ou laissez l’étude s’en passer (première page de l’éditeur)</translation>
+        <source>nobody feels a simulated device: choose a real one, or allow sessions without one (first page of the study editor)</source>
+        <translation>personne ne sent un appareil simulé&#xa0;: choisissez-en un réel, ou autorisez des séances sans appareil (première page de l’éditeur)</translation>
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
