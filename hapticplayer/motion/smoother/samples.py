@@ -103,8 +103,11 @@ def at_middles(samples: InertialSamples, bias_radps: Floats) -> InertialSamples:
     """Return averaged samples as seen in their middles; others as they are.
 
     With the mean rate of the neighbours, the rotation d[k] over a sample gains the
-    coning term (d[k] x (d[k+1] - d[k-1])) / 24, and its first half is half of it less
-    (d[k+1] - d[k-1]) / 16 (Savage 1998, J. Guidance 21(1):19).
+    coning term d[k] x D[k] / 24, D[k] = d[k+1] - d[k-1], and its first half is half of it
+    less D[k] / 16 (Savage 1998, J. Guidance 21(1):19). The specific force f[k], mean of
+    what a turning sensor sees, gains D[k] x f[k] / 48, and where it changes by c[k] in
+    the inertial frame from k - 1 to k + 1 the sculling term d[k] x c[k] / 24 (same
+    author, 21(2):208).
 
     Args:
         samples: of one block.
@@ -118,6 +121,11 @@ def at_middles(samples: InertialSamples, bias_radps: Floats) -> InertialSamples:
     change = np.zeros_like(turn)
     np.subtract(turn[:, 2:], turn[:, :-2], out=change[:, 1:-1])
     force = window_mean(samples.specific_force_mps2.T, turn, inverse=True)
+    # what the sensor sees of a fixed force changes by this
+    fixed = 4.0 * rot.half_sinc(4.0 * rot.squared_norm(turn)) * rot.cross(force, turn)
+    sculling = np.zeros_like(turn)
+    np.subtract(force[:, 2:] - force[:, :-2], fixed[:, 1:-1], out=sculling[:, 1:-1])
+    force += (rot.cross(turn, sculling) + 0.5 * rot.cross(change, force)) / 24.0
     return replace(
         samples,
         specific_force_mps2=force.T,

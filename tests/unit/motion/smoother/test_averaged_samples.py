@@ -122,7 +122,7 @@ def test_the_middle_of_a_window_is_found_to_third_order():
     assert errors[0] / errors[1] > 7.0
 
 
-def test_a_fixed_force_is_recovered_to_second_order():
+def test_a_fixed_force_is_recovered_to_third_order():
     fixed = Motion(WOBBLE.attitude)
     errors = []
     for width in (0.02, 0.01):
@@ -130,8 +130,9 @@ def test_a_fixed_force_is_recovered_to_second_order():
         start = WOBBLE.attitude(width * np.arange(len(samples)))
         force = start.apply(windows.impulse_mps.T) / width
         errors.append(np.linalg.norm(force - UP_1_G, axis=1)[1:-1].max())
-    assert errors[0] < 0.01
-    assert errors[0] / errors[1] > 3.5
+    # seen as from the middle of a steady turn it is off by 0.0026 m/s^2
+    assert errors[0] < 4e-4
+    assert errors[0] / errors[1] > 7.0
 
 
 CONE_RAD, CONE_RADPS = 0.1, 20.0
@@ -160,6 +161,31 @@ def test_coning_is_corrected(width_s, better):
     swept = 2.0 * np.pi * (1.0 - np.cos(CONE_RAD)) * rounds
     share = 1.0 - np.sinc(CONE_RADPS * width_s / np.pi)
     assert apart(exact, plain) == pytest.approx(swept * share, rel=0.02)
+
+
+@pytest.mark.parametrize(("width_s", "better"), [(0.02, 5.0), (0.01, 20.0)])
+def test_sculling_is_corrected(width_s, better):
+    swing_rad, swing_radps, shake_mps2 = 0.1, 20.0, 5.0
+
+    def swing(t):
+        return Rotation.from_rotvec(
+            swing_rad * np.sin(swing_radps * t)[:, None] * [1.0, 0.0, 0.0]
+        )
+
+    def shaken(t):
+        return shake_mps2 * np.sin(swing_radps * t)[:, None] * [0.0, 1.0, 0.0]
+
+    # twenty rounds, but for the samples at the ends
+    seconds = 40.0 * np.pi / swing_radps
+    width_s = seconds / round(seconds / width_s)
+    motion = Motion(swing, shaken)
+    samples, windows = averaged_windows(width_s, seconds, motion=motion)
+    starts = swing(width_s * np.arange(len(samples)))
+    mean = starts.apply(windows.impulse_mps.T)[1:-1].mean(axis=0) / width_s
+    # without, the mean of rate times change of force is missing (Savage 1998, part 2)
+    # less half of it, that of the rate's change times the force
+    missing = swing_rad * shake_mps2 * (swing_radps * width_s) ** 2 / 48.0
+    assert abs(mean[2] - UP_1_G[2]) < missing / better
 
 
 @pytest.mark.parametrize(("count", "per_window"), [(10, 3), (11, 4), (7, 1)])
