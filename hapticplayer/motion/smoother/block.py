@@ -31,7 +31,6 @@ from hapticplayer.motion.smoother.least_squares import (
 from hapticplayer.motion.smoother.mixture import (
     MIN_WEIGHT,
     NOISY_GYRO_FACTOR,
-    is_short,
     mixed,
 )
 from hapticplayer.motion.smoother.parameters import SmootherParameters
@@ -178,7 +177,7 @@ def _smoothed(
     while (found := _next(block, state)) is not None:
         state = found
     state = _with_gyro_scale(block, state)
-    if is_short(state) and block.p.time_constant_s is None:
+    if block.is_short and block.p.time_constant_s is None:
         state = _with_plain_share(block, mixed(block, state))
     else:
         state = _with_time_constant(_with_floor(block, state), block.p)

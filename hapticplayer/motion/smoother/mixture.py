@@ -8,7 +8,8 @@ combination finds counts by the probability of the data under it (`evidence`, Ma
 
 Whether it goes on wheels, evidence of that kind tells badly: a steady acceleration is a
 tilt that no velocity contradicts. A second witness does: wheels shake a sensor without
-turning it, hands and feet turn it.
+turning it, hands and feet turn it. And a steady turn is balanced by a tilt, so that for
+wheels the gyro's bias about the vertical is looked for apart (`vehicle.yaw_bias_radps`).
 """
 
 import itertools
@@ -50,18 +51,11 @@ from hapticplayer.motion.smoother.state import (
     reintegrate,
 )
 from hapticplayer.motion.smoother.strapdown import Windows
-from hapticplayer.motion.smoother.vehicle import BODY_VELOCITY_COLUMNS
-
-# Longer blocks show the velocity that their bound follows.
-MAX_MIXED_S = 45.0
-
-
-class MotionModel(NamedTuple):
-    """A velocity: across and along the vertical, beside one in the sensor's frame."""
-
-    across: VelocityModel
-    upwards: VelocityModel
-    body_sigma_mps: float  # 0 for none
+from hapticplayer.motion.smoother.vehicle import (
+    BODY_VELOCITY_COLUMNS,
+    VEHICLE_BODY_SIGMA_MPS,
+    yaw_bias_radps,
+)
 
 
 class SensorGrade(NamedTuple):
@@ -77,11 +71,12 @@ class SensorGrade(NamedTuple):
 # next, so that slower motion than the usual is not taken for tilt.
 CARRIED_SIGMAS_MPS, CARRIED_CORRELATION_S = (0.03, 0.1, 0.3, 1.0, 3.0), 0.5
 WALKING_BODY_SIGMAS_MPS = (0.0, 3.0)
-# What goes on wheels: speeds that last, on roads and on paths.
+# What goes on wheels, across and upwards: speeds that last, on roads and on paths.
 WHEELED = tuple(
-    MotionModel(VelocityModel(*across), VelocityModel(*upwards), 30.0)
-    for across in ((5.0, 20.0), (15.0, 20.0))
-    for upwards in ((0.3, 3.0), (1.0, 0.5))
+    itertools.product(
+        (VelocityModel(5.0, 20.0), VelocityModel(15.0, 20.0)),
+        (VelocityModel(0.3, 3.0), VelocityModel(1.0, 0.5)),
+    )
 )
 # A calibrated sensor, a usual one, and one whose gyro has a wrong scale.
 SENSORS = (
@@ -105,8 +100,9 @@ MIN_WEIGHT = 1e-3
 # Share of the variance that is counted of what is carried: the noises are those of the least
 # error, not those that describe it best.
 CARRIED_VARIANCE_SHARE = 0.7
-# A vertical that moves so far is solved for again about where it went, so often at most.
-MAX_MOVED_RAD, MOST_AGAIN = 0.1, 3
+# A vertical that moves so far, or a bias about it, is solved for again about where it
+# went, so often at most.
+MAX_MOVED_RAD, MAX_YAW_CHANGE_RADPS, MOST_AGAIN = 0.1, 0.002, 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -126,16 +122,11 @@ class Hypothesis:
     levelling_mps: float
 
 
-def is_short(state: BlockState) -> bool:
-    """Whether a block is too short to show the velocity that a bound would follow."""
-    return bool(state.problem.duration_s.sum() < MAX_MIXED_S)
-
-
 def mixed(block: Block, state: BlockState) -> BlockState:
     """Return the mean over the models about a solution; again while it moves far."""
-    found, moved_rad = _mixed_about(block, state)
+    found, is_settled = _mixed_about(block, state)
     for _ in range(MOST_AGAIN):
-        if moved_rad < MAX_MOVED_RAD:
+        if is_settled:
             break
         start = reintegrate(block, found, found.known.bound_mps, is_fine=True)
         applied = start.integration.applied[: len(found.known.applied)]
@@ -146,12 +137,12 @@ def mixed(block: Block, state: BlockState) -> BlockState:
             frames=nd.level_frames(start.vertical),
             solution=replace(found.solution, tilt=np.zeros_like(found.solution.tilt)),
         )
-        found, moved_rad = _mixed_about(block, again)
+        found, is_settled = _mixed_about(block, again)
     return found
 
 
-def _mixed_about(block: Block, state: BlockState) -> tuple[BlockState, float]:
-    """Return the mean over the models about a solution, and how far that moved."""
+def _mixed_about(block: Block, state: BlockState) -> tuple[BlockState, bool]:
+    """Return the mean over the models about a solution, and whether it is near that."""
     vertical = state.vertical
     known = replace(state.known, has_body_velocity=True, body_sigma_mps=1.0)
     frames = nd.level_frames(vertical)
@@ -182,7 +173,55 @@ def _mixed_about(block: Block, state: BlockState) -> tuple[BlockState, float]:
         motion=replace(state.motion, vehicle_weight=on_wheels),
         mixture=mixture,
     )
-    return found, moved_rad
+    if on_wheels > 0.5:
+        sensors = shares[1].reshape(-1, len(SENSORS)).sum(axis=0)
+        turned = _with_yaw_bias(block, found, sensors)
+        if turned is not None:
+            return turned, False
+    return found, moved_rad < MAX_MOVED_RAD
+
+
+def _with_yaw_bias(
+    block: Block, state: BlockState, sensors: Floats
+) -> BlockState | None:
+    """Return a solution with the gyro's bias about the vertical that wheels have.
+
+    None if it would change little.
+
+    Args:
+        block: the block.
+        state: of it, with the mean over the models.
+        sensors: (S,) probability of each on wheels.
+    """
+    nodes, windows = state.integration.nodes, state.integration.windows
+    usual, known, vertical = block.bias_radps, state.known, state.vertical
+    up = rot.rotate(rot.inverse(nodes.at), vertical).mean(axis=1)
+    up /= max(float(np.linalg.norm(up)), 1e-9)
+    turn_rad = rot.rotate(nodes.start, windows.turn_rad)
+    count = turn_rad.shape[1]
+    around = np.repeat(vertical[:, :-1], nodes.per_node, axis=1)[:, :count]
+    starts = np.arange(0, count, nodes.per_node)
+    yaw_rad = np.add.reduceat(rot.dot(turn_rad, around), starts)
+    yaw_rad -= nodes.duration_s * (up @ (usual - state.integration.applied[GYRO_BIAS]))
+    weight = state.problem.prior_weight[GYRO_BIAS]
+    variance = np.array(
+        [
+            up**2 @ (1.0 / np.maximum(weight, sensor.gyro_bias_radps**-2.0))
+            for sensor in SENSORS
+        ]
+    )
+    found_radps = yaw_bias_radps(yaw_rad, nodes.duration_s, variance, sensors)
+    change = found_radps - up @ (known.bias_radps - usual)
+    if abs(change) < MAX_YAW_CHANGE_RADPS:
+        return None
+    # no motion shows it: it is known beforehand, as it were
+    calibration = state.solution.calibration.copy()
+    calibration[GYRO_BIAS] += change * up
+    return replace(
+        state,
+        known=replace(known, bias_radps=known.bias_radps + change * up),
+        solution=replace(state.solution, calibration=calibration),
+    )
 
 
 def shake_evidence(shake: float) -> float:
@@ -224,8 +263,8 @@ def _carried(problem: Problem, noise_factor: float) -> list[Hypothesis]:
 def _wheeled(problem: Problem) -> list[Hypothesis]:
     return [
         part
-        for one in WHEELED
-        for part in parts_of(problem, [one.across, one.upwards], (one.body_sigma_mps,))
+        for models in WHEELED
+        for part in parts_of(problem, models, (VEHICLE_BODY_SIGMA_MPS,))
     ]
 
 

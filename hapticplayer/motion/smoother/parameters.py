@@ -12,6 +12,8 @@ from hapticplayer.model.calibration import SensorCalibration, fused
 
 # A gyro bias that is farther from a calibration is that of another sensor.
 OTHER_SENSOR_SIGMAS = 4.0
+# Shorter blocks do not show the velocity that their bound would follow.
+MIN_BOUNDED_S = 45.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +29,7 @@ class SmootherParameters:
     Attributes:
         window_hz: windows of strapdown integration per second.
         node_s: spacing of the nodes.
-        node_samples: at least as many samples between nodes, for slow logs.
+        node_samples: at least as many samples between nodes, for slow logs of 45 s on.
         rate_noise_rad_per_sqrt_s: angular random walk, with what bias instability
             adds; a MEMS gyro alone has 1e-4 to 1e-3.
         rotation_error: tilt per radian turned that the gyro matrix does not explain.

@@ -26,7 +26,7 @@ from hapticplayer.motion.smoother.least_squares import (
     Solution,
     minimise,
 )
-from hapticplayer.motion.smoother.parameters import SmootherParameters
+from hapticplayer.motion.smoother.parameters import MIN_BOUNDED_S, SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, linearised
 from hapticplayer.motion.smoother.samples import InertialSamples, at_middles
 from hapticplayer.motion.smoother.short_memory import Floor
@@ -63,6 +63,7 @@ class Block:
         bins: where it is still, or None.
         bias_radps: (3,) expected of the gyro.
         p: settings.
+        is_short: whether it does not show the velocity that a bound would follow.
     """
 
     samples: InertialSamples
@@ -72,6 +73,7 @@ class Block:
     bins: StillBins | None
     bias_radps: Floats
     p: SmootherParameters
+    is_short: bool
 
     @property
     def samples_per_node(self) -> int:
@@ -182,7 +184,8 @@ def prepare(
     step_s = samples.interval_s
     per_window = max(1, round(1.0 / (p.window_hz * step_s)))
     per_window = min(per_window, max(1, len(samples) // MIN_BLOCK_WINDOWS))
-    node_s = max(p.node_s, p.node_samples * step_s)
+    is_short = float(samples.step_s.sum()) < MIN_BOUNDED_S
+    node_s = p.node_s if is_short else max(p.node_s, p.node_samples * step_s)
     # even, because the first solution has nodes twice as far apart
     per_node = 2 * max(1, round(0.5 * node_s / (per_window * step_s)))
     bias_radps, _ = stationary.gyro_bias_prior(bins, p)
@@ -192,7 +195,7 @@ def prepare(
         None if is_fine else at_middles(samples.averages(2 * per_window), bias_radps)
     )
     samples = at_middles(samples, bias_radps)
-    block = Block(samples, coarse, per_window, per_node, bins, bias_radps, p)
+    block = Block(samples, coarse, per_window, per_node, bins, bias_radps, p, is_short)
     applied = np.zeros(ALL_COLUMNS)
     applied[GYRO_BIAS] = bias_radps
     integration = integrate(block, applied, is_fine=is_fine)

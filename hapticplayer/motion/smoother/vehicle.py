@@ -21,6 +21,10 @@ vehicle is wide and fixed, beyond the others' the bound follows the velocity.
 u depends on the heading, and the heading on the gyro's bias, so that a vehicle is
 solved for until the bias stays. Without turns, as in a train, the heading is not
 observable; only the velocity is kept small.
+
+A bias about the vertical is a steady turn, whose sideways acceleration a steady tilt
+balances: 0.2 rad at 25 m/s and 5 deg/s. Roads bend both ways, and a bend is entered and
+left: a mean rate of turn that is large beside its changes is the gyro's.
 """
 
 import math
@@ -49,6 +53,9 @@ VEHICLE_BOUND_MPS, RIDING_BOUND_MPS, WALKING_BOUND_MPS = 40.0, 8.0, 4.0
 # Beyond the least, the bound is that of the velocity found over this; half of it costs
 # 3 %.
 FOUND_BOUND_RATIO = 1.15
+# Correlation time of the rate of turn on a road, and the least deviation of its mean; how
+# long a bend lasts, and its usual rate.
+TURN_CORRELATION_S, MIN_TURN_RADPS, BEND_S, BEND_RADPS = 20.0, 0.002, 5.0, 0.2
 # A gap disturbs the velocity for so long; a smaller undisturbed share is not used alone.
 GAP_INFLUENCE_S, MIN_UNDISTURBED_SHARE = 15.0, 0.2
 
@@ -137,6 +144,33 @@ def undisturbed(nodes: Nodes) -> NDArray[np.bool_]:
         if clear.mean() > MIN_UNDISTURBED_SHARE:
             return np.asarray(clear)
     return np.ones(len(time_s), np.bool_)
+
+
+def yaw_bias_radps(
+    yaw_rad: Floats, duration_s: Floats, variance: Floats, share: Floats
+) -> float:
+    """Return the gyro's bias about the vertical of a vehicle, beyond that expected.
+
+    The mean over sensors, and over a road that bends both ways (its mean rate varies as
+    the rate does) and one bend that lasts throughout.
+
+    Args:
+        yaw_rad: (K,) turns about the vertical, by the gyro less the bias expected.
+        duration_s: (K,) of them.
+        variance: (S,) prior variance of the bias for each sensor, (rad/s)^2.
+        share: (S,) probability of each sensor.
+    """
+    total_s = float(duration_s.sum())
+    mean_radps = float(yaw_rad.sum()) / total_s
+    changes = np.square(yaw_rad - mean_radps * duration_s) / duration_s
+    rate_variance = float(changes.sum()) / total_s
+    both_ways = rate_variance * 2.0 * TURN_CORRELATION_S / total_s + MIN_TURN_RADPS**2
+    one_bend = math.exp(-total_s / BEND_S)
+    read = np.array([[both_ways], [BEND_RADPS**2]]) + variance
+    log_density = -0.5 * (mean_radps**2 / read + np.log(read))
+    weight = np.exp(log_density - log_density.max()) * share
+    weight *= np.array([[1.0 - one_bend], [one_bend]])
+    return float(mean_radps * (weight * variance / read).sum() / weight.sum())
 
 
 def rms_mps(velocity_mps: Floats) -> float:

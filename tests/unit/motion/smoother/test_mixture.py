@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
-from hapticplayer.motion import analyse
+from hapticplayer.motion import SmootherParameters, analyse
 from hapticplayer.motion.smoother.evidence import VelocityModel, log_evidences
 from hapticplayer.motion.smoother.mixture import (
     SENSORS,
@@ -17,6 +17,7 @@ from hapticplayer.motion.smoother.mixture import (
     shaking,
     variances_of,
 )
+from hapticplayer.motion.smoother.state import prepare
 from hapticplayer.motion.smoother.strapdown import integrate
 from tests.unit.motion.smoother.conftest import rms, samples_of
 from tests.unit.motion.smoother.test_least_squares import Dense, random_problem
@@ -134,6 +135,31 @@ def test_a_large_bias_does_not_drive(rng):
     rate = np.radians([3.0, -3.0, 1.5]) + 0.05 * sway
     log = ImuLog(time_s, force, rate + 0.002 * rng.standard_normal((1000, 3)))
     assert analyse(log).summary["driven"] < 0.1
+
+
+@pytest.mark.parametrize(
+    ("seconds", "rate_hz", "node_s"),
+    [(40, 100, 0.72), (40, 30, 0.8), (40, 15, 0.8), (60, 30, 1.0667)],
+)
+def test_short_blocks_have_nodes_as_close_at_any_rate(seconds, rate_hz, node_s):
+    steps = np.full(seconds * rate_hz, 1.0 / rate_hz)
+    force = np.tile([0.0, 0.0, G], (len(steps), 1))
+    samples = samples_of(steps, force, np.zeros_like(force), averaged=True)
+    block, _ = prepare(samples, None, SmootherParameters())
+    assert block.samples_per_node / rate_hz == pytest.approx(node_s, abs=1e-3)
+
+
+def test_on_a_straight_road_a_steady_turn_is_the_gyro(rng):
+    """It was taken for a bend, with 0.2 to 0.6 of the 4.5 deg/s."""
+    time_s = np.arange(1, 2001) / 100.0
+    force = 0.6 * rng.standard_normal((2000, 3)) + [0.0, 0.0, G]
+    force[:, 1] += np.where(time_s < 8.0, 1.2, 0.0)
+    rate = 0.003 * rng.standard_normal((2000, 3))
+    rate[:, 2] += 0.005 * np.sin(time_s)  # a hand on the wheel
+    bias_radps = np.radians([1.0, -2.0, 4.5])
+    found = analyse(ImuLog(time_s, force, rate + bias_radps))
+    assert found.summary["driven"] > 0.5
+    assert found.calibration.gyro_bias_radps == pytest.approx(bias_radps, abs=0.012)
 
 
 def test_ten_seconds_of_a_car_are_those_of_a_vehicle():

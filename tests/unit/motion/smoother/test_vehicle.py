@@ -16,7 +16,15 @@ from hapticplayer.motion.smoother.nodes import gather, level_frames
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, linearised
 from hapticplayer.motion.smoother.strapdown import integrate
-from hapticplayer.motion.smoother.vehicle import Locomotion, locomotion_of
+from hapticplayer.motion.smoother.vehicle import (
+    BEND_RADPS,
+    BEND_S,
+    MIN_TURN_RADPS,
+    TURN_CORRELATION_S,
+    Locomotion,
+    locomotion_of,
+    yaw_bias_radps,
+)
 from tests.unit.motion.smoother.conftest import Motion, miss, rms, samples_of
 
 RATE_HZ = 100.0
@@ -366,3 +374,39 @@ def test_the_summary_says_whether_it_drives(scene, drives, words):
     summary = analyse(simulate_motion(scene, 2).imu).summary
     assert summary["driven"] == float(drives)
     assert words in summary["time_constant_from"]
+
+
+def normal(value, variance):
+    return np.exp(-0.5 * value**2 / variance) / np.sqrt(variance)
+
+
+@pytest.mark.parametrize("seconds", [2.0, 10.0, 30.0])
+@pytest.mark.parametrize("wavering_radps", [0.003, 0.1])
+def test_the_bias_about_the_vertical_is_what_quadrature_gives(seconds, wavering_radps):
+    """The mean of the posterior: prior times likelihood over a grid of biases."""
+    duration_s = np.tile([0.5, 1.0], round(seconds / 1.5))
+    total_s, mean_radps = duration_s.sum(), np.radians(5.0)
+    wave = wavering_radps * np.array([2.0, -1.0] * (len(duration_s) // 2))
+    sigma_radps, share = np.array([0.006, 0.05]), np.array([0.7, 0.3])
+    found = yaw_bias_radps(
+        (mean_radps + wave) * duration_s, duration_s, sigma_radps**2, share
+    )
+    changes = (wave**2 * duration_s).sum() / total_s
+    straight = 2.0 * TURN_CORRELATION_S / total_s * changes + MIN_TURN_RADPS**2
+    one_bend = np.exp(-total_s / BEND_S)
+    bias, posterior = np.linspace(-0.5, 0.5, 200_001), 0.0
+    for sigma, part in zip(sigma_radps, share, strict=True):
+        road = (1.0 - one_bend) * normal(mean_radps - bias, straight)
+        road += one_bend * normal(mean_radps - bias, BEND_RADPS**2)
+        posterior = posterior + part * normal(bias, sigma**2) * road
+    expected = (bias * posterior).sum() / posterior.sum()
+    assert found == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_mean_turn_beside_its_changes_is_the_gyro():
+    duration_s, sigma, share = np.ones(30), np.array([0.05**2]), np.ones(1)
+    waves = np.tile([1.0, -1.0], 15)
+    steady = yaw_bias_radps(0.087 + 0.003 * waves, duration_s, sigma, share)
+    winding = yaw_bias_radps(0.087 + 0.2 * waves, duration_s, sigma, share)
+    assert steady == pytest.approx(0.087, rel=0.05)
+    assert winding < 0.01
