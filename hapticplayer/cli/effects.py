@@ -162,6 +162,8 @@ def _new(options: argparse.Namespace) -> Effect:
     parameters: dict[str, float] = {}
     for text in options.param:
         name, _, value = text.partition("=")
+        if name in parameters:
+            raise UsageError(f"--param {text!r}: give {name!r} once")
         read: Value = known[name].read(value) if name in known else 0.0
         parameters[name] = float(read) if isinstance(read, str) else read
     x, y, z = _numbers(options.direction, 3)

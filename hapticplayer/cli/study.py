@@ -206,8 +206,8 @@ def new(options: argparse.Namespace) -> int:
     folders = {}
     for text in options.sequence:
         key, is_there, folder = text.partition("=")
-        if not is_there or not folder:
-            raise UsageError(f"--sequence {text!r} has to be KEY=FOLDER")
+        if not is_there or not folder or key in folders:
+            raise UsageError(f"--sequence {text!r} has to be KEY=FOLDER, each key once")
         folders[key] = Path(folder)
     study = create_study(options.study, options.template, folders, options.feedback)
     missing = missing_sequences(study)

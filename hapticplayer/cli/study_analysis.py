@@ -291,14 +291,16 @@ def rated_like(
         found = condition_named(one.condition)
         # a track of which nothing is known is some force
         like[one.name] = str(found.simulated_as if found else Feedback.RANDOM)
+    named: dict[str, str] = {}
     for text in given:
         key, mark, name = text.partition("=")
-        if not mark or key not in like:
+        if not mark or key not in like or key in named:
             raise UsageError(
-                f"--like {text!r} has to be KEY=NAME; the keys are {', '.join(like)}"
+                f"--like {text!r} has to be KEY=NAME, each key once; the keys are "
+                f"{', '.join(like)}"
             )
-        like[key] = name
-    return like
+        named[key] = name
+    return like | named
 
 
 def say_assumed(like: Mapping[str, str]) -> None:

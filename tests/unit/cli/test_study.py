@@ -81,6 +81,7 @@ def test_new_makes_a_study_and_says_what_is_missing(run, tmp_path):
         (["--template", "none"], 2),
         (["--sequence", "bike"], 2),
         (["--sequence", "boat=/x"], 2),
+        (["--sequence", "bike=/x", "--sequence", "bike=/y"], 2),
     ],
 )
 def test_wrong_usage_is_reported_and_makes_nothing(run, tmp_path, arguments, status):

@@ -118,13 +118,14 @@ def test_other_feedbacks_are_rated_like_those_of_the_paper(run, tmp_path):
     ("like", "what"),
     [
         ("late", "KEY=NAME"),
+        ("late=none --like late=random", "each key once"),
         ("strong=none", "the keys are realistic, none, shuffled, late"),
         ("late=strong", "rated like 'strong'; choose one of none, random, realistic"),
     ],
 )
 def test_a_wrong_likeness_adds_nobody(run, tmp_path, like, what):
     study = create_study(tmp_path / "s", "controls")
-    status, _, said = run("simulate", study.folder, "--like", like)
+    status, _, said = run("simulate", study.folder, "--like", *like.split())
     assert status == 2
     assert what in said
     assert study.codes() == []

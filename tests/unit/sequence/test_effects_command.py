@@ -74,7 +74,10 @@ def test_a_forbidden_change_of_effects_changes_nothing(folder, capsys):
     assert do(folder, "remove", "1") == 2
     assert "there is no effect 1" in capsys.readouterr().err
     assert do(folder, *MUTE, "--param", "size=3") == 2
-    assert "mute has no such parameter" in capsys.readouterr().err
+    twice = ("--param", "amplitude=1", "--param", "amplitude=2")
+    assert do(folder, "add", "pulse", *MUTE[2:], *twice) == 2
+    assert "once" in (said := capsys.readouterr().err)
+    assert "mute has no such parameter" in said
     assert (folder / "sequence.json").read_bytes() == before
 
 
