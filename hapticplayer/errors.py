@@ -59,6 +59,11 @@ def joined(separator: str, parts: Iterable[str]) -> Message:
     return Message(template, separator=separator, **values)
 
 
+def counted(count: int, noun: str) -> str:
+    """1 participant, 2 participants."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
 def shell_line(*words: object) -> str:
     """A command to paste into a shell, whatever the words hold.
 

@@ -13,7 +13,7 @@ from hapticplayer.cli.common import (
     say_figures,
     shown_progress,
 )
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import UsageError, counted
 from hapticplayer.rendering.condition import Value
 from hapticplayer.rendering.effects import (
     EFFECTS,
@@ -111,7 +111,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         say(f"{number:3d}  {effect.described()}{'' if effect.enabled else ' (off)'}")
     for marker in effects.markers:
         say(f"     at {marker.time_s:g} s: {marker.name}")
-    say(f"{len(effects)} effects")
+    say(counted(len(effects), "effect"))
     if is_changed:
         after = sequence_figures(open_sequence(folder))
         say_figures(sequence_figures(sequence), after)

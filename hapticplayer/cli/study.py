@@ -22,7 +22,7 @@ from hapticplayer.cli.common import (
     shown_progress,
 )
 from hapticplayer.clock import SystemClock
-from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.errors import StudyError, UsageError, counted
 from hapticplayer.storage import FOLDER, refuse_existing
 from hapticplayer.study.creation import create_study, template_names
 from hapticplayer.study.definition_reader import to_be_worded
@@ -312,8 +312,8 @@ def export(options: argparse.Namespace) -> int:
     say(
         json.dumps(report)
         if options.json
-        else f"{options.output}: {report['participants']} participants, "
-        f"{len(report['files'])} files"
+        else f"{options.output}: {counted(report['participants'], 'participant')}, "
+        f"{counted(len(report['files']), 'file')}"
         + (f"; {report['left_out']}" if report["left_out"] else "")
     )
     for notice in report["remarks"]:

@@ -17,7 +17,7 @@ from hapticplayer.cli.common import (
     shown_progress,
 )
 from hapticplayer.clock import SystemClock
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, UsageError, counted
 from hapticplayer.installation import require
 from hapticplayer.model import Feedback, ranges
 from hapticplayer.rendering import condition_named
@@ -71,6 +71,7 @@ def _add_analyse(actions: Any) -> None:
     )
     action.add_argument("study", metavar="NAME", type=Path, help="folder of the study")
     action.add_argument(
+        "-o",
         "--output",
         metavar="DIR",
         type=Path,
@@ -315,7 +316,7 @@ def as_json(report: dict[str, Any]) -> str:
 
 def _analysis_text(found: ReportParts) -> str:
     numbers = found.numbers
-    people = f"{numbers['missing']['participants']} participants"
+    people = counted(numbers["missing"]["participants"], "participant")
     lines = (line.replace("\n", "\n  ") for line in found.lines)
     notes = (f"note: {one}" for one in numbers["warnings"])
     return "\n".join([people, *(f"  {line}" for line in lines), *notes])

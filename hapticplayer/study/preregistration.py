@@ -10,7 +10,7 @@ from msgspec import Meta
 
 from hapticplayer import __version__, storage
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.errors import StudyError, UsageError, counted
 from hapticplayer.structures import convert, read_json
 from hapticplayer.study.definition import (
     Definition,
@@ -331,7 +331,7 @@ def _exclusions(
         if session.state is SessionState.UNFINISHED:
             yield f"session {session.code} was not completed"
     if deleted := study.deleted_count():
-        yield f"{deleted} participants were deleted"
+        yield f"{counted(deleted, 'participant')} deleted on request"
 
 
 def differences(planned: Any, found: Any, at: str = "") -> Iterator[str]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
+from hapticplayer.errors import counted
 from hapticplayer.study.analysis.analysis import AnalysisOptions
 from hapticplayer.study.analysis.blocks import (
     Heading,
@@ -21,7 +22,6 @@ from hapticplayer.study.analysis.contents import reproducibility
 from hapticplayer.study.analysis.methods import references
 from hapticplayer.study.analysis.question_report import question_summary
 from hapticplayer.study.analysis.scale_report import scale_summary
-from hapticplayer.study.analysis.statistic import counted
 from hapticplayer.study.analysis.trial_force_report import (
     trial_force_blocks,
     trial_force_summary,

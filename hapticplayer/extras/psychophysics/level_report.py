@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.errors import Progress
+from hapticplayer.errors import Progress, counted
 from hapticplayer.extras.psychophysics.framing import (
     Findings,
     contents,
@@ -56,7 +56,6 @@ from hapticplayer.study.analysis.references import (
     YARROW_2011,
 )
 from hapticplayer.study.analysis.statistic import (
-    counted,
     interval,
     number,
     p_value,
@@ -144,7 +143,7 @@ def _lines(found: LevelAnalysis) -> Iterator[str]:
 def _group_line(one: GroupThreshold) -> str:
     return (
         f"staircase {one.sequence} {one.feedback}: threshold {number(one.mean)}, "
-        f"95 % CI {interval(one.interval)}, {one.count} participants"
+        f"95 % CI {interval(one.interval)}, {counted(one.count, 'participant')}"
     )
 
 
@@ -427,7 +426,7 @@ def _curve_row(name: str, curve: Curve, values: Sequence[str]) -> tuple[str, ...
     return name, *cells, number(curve.values["lapse"]), p_value(curve.p_fit)
 
 
-def _share_table(title: str, counted: str, shares: tuple[Share, ...]) -> ReportTable:
+def _share_table(title: str, answer: str, shares: tuple[Share, ...]) -> ReportTable:
     rows = tuple(
         (
             number(one.delay_s, 3),
@@ -438,7 +437,7 @@ def _share_table(title: str, counted: str, shares: tuple[Share, ...]) -> ReportT
         )
         for one in shares
     )
-    return ReportTable(title, ("delay, s", "gain", counted, "share", "95 % CI"), rows)
+    return ReportTable(title, ("delay, s", "gain", answer, "share", "95 % CI"), rows)
 
 
 def _share_row(sequence: str, one: Share) -> list[Any]:

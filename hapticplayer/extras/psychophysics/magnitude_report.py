@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hapticplayer.errors import Progress
+from hapticplayer.errors import Progress, counted
 from hapticplayer.extras.psychophysics.framing import (
     Findings,
     contents,
@@ -30,7 +30,6 @@ from hapticplayer.study.analysis.methods import computed_with, invalid_text
 from hapticplayer.study.analysis.parts import ReportParts
 from hapticplayer.study.analysis.references import EFRON_1993, STEVENS_1957
 from hapticplayer.study.analysis.statistic import (
-    counted,
     interval,
     number,
     plain,
@@ -78,7 +77,7 @@ def _lines(found: MagnitudeAnalysis) -> Iterator[str]:
         count = len(one.by_person)
         yield (
             f"{name}: exponent {number(one.mean)}, 95 % CI {interval(one.interval)}, "
-            f"{count} participants"
+            f"{counted(count, 'participant')}"
         )
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from hapticplayer import __version__
-from hapticplayer.errors import Message, Progress
+from hapticplayer.errors import Message, Progress, counted
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
 from hapticplayer.study.analysis.first_order import first_order_models
@@ -31,7 +31,7 @@ from hapticplayer.study.analysis.sequence_factor_tests import (
     FACTOR_PAIRS,
     FACTOR_RANKS,
 )
-from hapticplayer.study.analysis.statistic import Statistic, counted, listed, plain
+from hapticplayer.study.analysis.statistic import Statistic, listed, plain
 from hapticplayer.study.analysis.trial_force_report import trial_force_summary
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import QOE

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from hapticplayer.errors import counted
 from hapticplayer.study.analysis.analysis import (
     Analysis,
     AnalysisOptions,
@@ -43,7 +44,6 @@ from hapticplayer.study.analysis.sequence_factor_tests import (
 from hapticplayer.study.analysis.statistic import (
     ReportColumn,
     Statistic,
-    counted,
     interval,
     listed,
     number,

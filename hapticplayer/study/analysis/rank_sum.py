@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from hapticplayer.errors import counted
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.describing import Resampling
 from hapticplayer.study.analysis.effect_sizes import independent_interval
@@ -17,7 +18,6 @@ from hapticplayer.study.analysis.statistic import (
     Holm,
     ReportColumn,
     Statistic,
-    counted,
     interval,
     number,
     p_value,

@@ -196,11 +196,6 @@ def rounded(value: Any) -> Any:
     return value
 
 
-def counted(count: int, noun: str) -> str:
-    """1 participant, 2 participants."""
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
-
-
 def listed(names: Iterable[str]) -> str:
     *first, last = names
     return f"{', '.join(first)} and {last}" if first else last
