@@ -124,25 +124,30 @@ class Hypothesis:
 
 def mixed(block: Block, state: BlockState) -> BlockState:
     """Return the mean over the models about a solution; again while it moves far."""
-    found, is_settled = _mixed_about(block, state)
+    found, about = _mixed_about(block, state)
     for _ in range(MOST_AGAIN):
-        if is_settled:
+        if about is None:
             break
-        start = reintegrate(block, found, found.known.bound_mps, is_fine=True)
-        applied = start.integration.applied[: len(found.known.applied)]
+        start = reintegrate(block, about, about.known.bound_mps, is_fine=True)
+        applied = start.integration.applied[: len(about.known.applied)]
         again = replace(
-            found,
+            about,
             integration=start.integration,
-            known=replace(found.known, applied=applied),
+            known=replace(about.known, applied=applied),
             frames=nd.level_frames(start.vertical),
-            solution=replace(found.solution, tilt=np.zeros_like(found.solution.tilt)),
+            solution=replace(about.solution, tilt=np.zeros_like(about.solution.tilt)),
         )
-        found, is_settled = _mixed_about(block, again)
+        found, about = _mixed_about(block, again)
     return found
 
 
-def _mixed_about(block: Block, state: BlockState) -> tuple[BlockState, bool]:
-    """Return the mean over the models about a solution, and whether it is near that."""
+def _mixed_about(
+    block: Block, state: BlockState
+) -> tuple[BlockState, BlockState | None]:
+    """Return the mean over the models about a solution, and what to do it about again.
+
+    None if the mean is near that solution.
+    """
     vertical = state.vertical
     known = replace(state.known, has_body_velocity=True, body_sigma_mps=1.0)
     frames = nd.level_frames(vertical)
@@ -177,8 +182,8 @@ def _mixed_about(block: Block, state: BlockState) -> tuple[BlockState, bool]:
         sensors = shares[1].reshape(-1, len(SENSORS)).sum(axis=0)
         turned = _with_yaw_bias(block, found, sensors)
         if turned is not None:
-            return turned, False
-    return found, moved_rad < MAX_MOVED_RAD
+            return found, turned
+    return found, found if moved_rad >= MAX_MOVED_RAD else None
 
 
 def _with_yaw_bias(
