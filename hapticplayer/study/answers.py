@@ -321,18 +321,12 @@ def _session_notices(sessions: list[StoredSession]) -> Iterator[str]:
             early=early,
             count=len(sessions),
         )
-    if scripted := sum(map(is_simulated, sessions)):
+    if scripted := sum(one.is_simulated for one in sessions):
         yield Message(
             "{scripted} of {count} sessions are simulated",
             scripted=scripted,
             count=len(sessions),
         )
-
-
-def is_simulated(session: StoredSession) -> bool:
-    """Whether no person took part in a session."""
-    begun = [r for r in session.records.intact if r.kind == "begin"]
-    return any("scripted" in record.content for record in begun)
 
 
 class _SessionAnswers:
@@ -390,7 +384,7 @@ class _SessionAnswers:
             handedness=_of_type(sheet.get("handedness"), str),
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
             complete=self._session.state is SessionState.COMPLETE,
-            simulated=is_simulated(self._session),
+            simulated=self._session.is_simulated,
             site=known_site(self._session.folder, self._notices),
             values=Scoring(self._definition, When.BEFORE, When.AFTER).completed(sheet),
         )

@@ -7,7 +7,6 @@ from typing import NamedTuple
 from hapticplayer.errors import Message, Progress, StudyError, no_progress
 from hapticplayer.study.answers import (
     collect_answers,
-    is_simulated,
 )
 from hapticplayer.study.orders import Balance
 from hapticplayer.study.reviewing import save_reviewed, text_digest
@@ -106,7 +105,7 @@ def session_summary(session: StoredSession) -> SessionSummary:
         code=session.code,
         created_utc=session.plan.created_utc,
         state=session.state,
-        simulated=is_simulated(session),
+        simulated=session.is_simulated,
         devices=tuple(dict.fromkeys(str(name) for name in named)),
         answered=len(last),
         planned=len(session.plan.order),

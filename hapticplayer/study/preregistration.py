@@ -331,7 +331,7 @@ def _exclusions(
         if session.state is SessionState.UNFINISHED:
             yield f"session {session.code} was not completed"
     if deleted := study.deleted_count():
-        yield f"{counted(deleted, 'participant')} deleted on request"
+        yield f"{counted(deleted, 'participant')} deleted"
 
 
 def differences(planned: Any, found: Any, at: str = "") -> Iterator[str]:

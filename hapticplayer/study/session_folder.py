@@ -60,6 +60,12 @@ class StoredSession:
         return self.plan.code
 
     @property
+    def is_simulated(self) -> bool:
+        """Whether no person took part."""
+        begun = [r for r in self.records.intact if r.kind == "begin"]
+        return any("scripted" in record.content for record in begun)
+
+    @property
     def state(self) -> SessionState:
         """State of the session, by its last end."""
         ends = [r for r in self.records.intact if r.kind == "end"]

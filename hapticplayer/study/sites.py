@@ -243,15 +243,11 @@ def site_summary(site: str, sessions: Sequence[StoredSession]) -> SiteSummary:
         if record.kind == "trial"
     ]
     playbacks = [one.get("playback", {}) for one in trials]
-    begun = [
-        any(r.kind == "begin" and "scripted" in r.content for r in s.records.intact)
-        for s in sessions
-    ]
     return SiteSummary(
         site,
         len(sessions),
         sum(one.state is SessionState.COMPLETE for one in sessions),
-        sum(begun),
+        sum(one.is_simulated for one in sessions),
         len(trials),
         sum(not one["is_valid"] for one in trials),
         Counter((one.get("outputs") or ["none"])[0] for one in playbacks),
