@@ -1,6 +1,7 @@
 """Commands of the program as a person types them, and whether they are right."""
 
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -10,6 +11,7 @@ from typing import NamedTuple
 from benchmarks.common import DATA, ROOT
 
 CASES = DATA / "cases"
+CLIP = CASES / "intiface" / "clip.mp4"
 
 
 class Ran(NamedTuple):
@@ -72,3 +74,9 @@ def says(ran: Ran, *words: str, status: tuple[int, ...] = (1, 2)) -> Found:
     text = re.sub(r"\S*/\S+", "", ran.out + ran.said).lower()  # no names of files
     is_right = ran.status in status and all(re.search(w, text) for w in words)
     return Found(ran.short, is_right and "traceback" not in text)
+
+
+def imported(folder: Path, clip: Path, *more: object) -> tuple[Ran, Path]:
+    target = folder / "s"
+    shutil.rmtree(target, ignore_errors=True)
+    return hapticplayer("import", clip, "-o", target, *more), target

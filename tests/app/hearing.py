@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator
 
-from faces import spoken_name
+from face_checks import spoken_name
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QComboBox, QScrollArea, QTabWidget, QWidget

@@ -7,6 +7,7 @@ import sys
 from functools import partial
 from pathlib import Path
 
+import face_checks
 import faces
 import pytest
 from PySide6.QtCore import Qt
@@ -46,19 +47,19 @@ def check_keyboard(face, qtbot) -> None:
     """Every control is reached, shows it, and has a name."""
     face.window().activateWindow()
     qtbot.waitUntil(face.window().isActiveWindow)
-    wanted = faces.controls(face)
+    wanted = face_checks.controls(face)
     assert wanted
-    reached = faces.reached_by_tab(face)
+    reached = face_checks.reached_by_tab(face)
     # Tab goes to one of exclusive buttons, the arrows to the others
     left = [w for w in wanted if w not in reached and not _is_in_group(w, reached)]
     assert left == []
     unseen = {
-        f"{type(w).__name__} {faces.spoken_name(w)!r}": shown
+        f"{type(w).__name__} {face_checks.spoken_name(w)!r}": shown
         for w in reached
-        if (shown := faces.focus_shows(w)) < min(w.width(), w.height())
+        if (shown := face_checks.focus_shows(w)) < min(w.width(), w.height())
     }
     assert unseen == {}
-    assert [w for w in (*wanted, *reached) if not faces.spoken_name(w)] == []
+    assert [w for w in (*wanted, *reached) if not face_checks.spoken_name(w)] == []
 
 
 def _is_in_group(widget, reached) -> bool:
@@ -104,9 +105,9 @@ def test_participant_pages_work_by_keyboard_and_by_finger(
         window.show_page(maker.page(kind, step, 99))
         qtbot.wait(20)  # the letters take their size
         check_keyboard(person.page, qtbot)
-        for control in faces.controls(person.page):
-            assert control.height() >= LEAST_TOUCH_PX, faces.spoken_name(control)
-            assert control.width() >= LEAST_TOUCH_PX, faces.spoken_name(control)
+        for control in face_checks.controls(person.page):
+            assert control.height() >= LEAST_TOUCH_PX, face_checks.spoken_name(control)
+            assert control.width() >= LEAST_TOUCH_PX, face_checks.spoken_name(control)
 
 
 PARTICIPANTS_PAGES = (
@@ -211,14 +212,14 @@ def test_a_text_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
     combo.setFixedWidth(90)
     table.setColumnWidth(1, 60)
     face.show()
-    found = list(faces.cut_off(face))
+    found = list(face_checks.cut_off(face))
     assert [text.partition(":")[0] for text in found] == [
         "choice 'viel zu lang f\u00fcr so wenig Raum'",
         "header 'Auch dieser Titel ist zu lang'",
     ]
     combo.setFixedWidth(400)
     table.setColumnWidth(1, 400)
-    assert list(faces.cut_off(face)) == []
+    assert list(face_checks.cut_off(face)) == []
 
 
 SMALL_PX = (800, 500 - TITLE_BAR_PX)
@@ -227,7 +228,7 @@ SMALL_PX = (800, 500 - TITLE_BAR_PX)
 
 def cut_off(face) -> list[str]:
     """Return the texts that have no room."""
-    return list(faces.cut_off(face))
+    return list(face_checks.cut_off(face))
 
 
 def wrong_with(face) -> list[str]:
@@ -236,7 +237,7 @@ def wrong_with(face) -> list[str]:
     least = face.minimumSizeHint()
     if least.width() > SMALL_PX[0] or least.height() > SMALL_PX[1]:
         found.append(f"needs {least.width()} x {least.height()} pixels")
-    nameless = [w for w in faces.controls(face) if not faces.spoken_name(w)]
+    nameless = [w for w in face_checks.controls(face) if not face_checks.spoken_name(w)]
     return found + [f"{type(w).__name__} without a name" for w in nameless]
 
 
@@ -246,12 +247,12 @@ def test_every_list_of_choices_opens_whole(
     dressed(language="en")
     window = make_window()
     window.session.show_source(source)
-    found = list(faces.short_lists(window))
+    found = list(face_checks.short_lists(window))
     for name, make in faces.dialogs(window, tmp_path).items():
         face = make()
         face.show()
         qtbot.waitExposed(face)
-        found += [f"{name}: {one}" for one in faces.short_lists(face)]
+        found += [f"{name}: {one}" for one in face_checks.short_lists(face)]
         faces.close(face)
     assert found == []
 

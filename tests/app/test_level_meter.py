@@ -1,6 +1,6 @@
 """The level meter of a sound card's channels, in the list of devices and in the line."""
 
-import faces
+import face_checks
 import pytest
 from PySide6.QtGui import QColor, QPixmap
 
@@ -67,7 +67,7 @@ def test_an_output_with_channels_has_a_meter(make_window, wait_for, qtbot):
     assert meter.isVisible()
     assert meter.accessibleName().startswith("Simulated: channel 3 \u221212 dB")
     assert not page.rows["rig:outsim"].meter.isVisible()
-    assert list(faces.cut_off(page)) == []
+    assert list(face_checks.cut_off(page)) == []
     block.write_levels(())
     page.look()
     assert not meter.isVisible()

@@ -2,7 +2,7 @@
 
 import contextlib
 
-import faces
+import face_checks
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
@@ -216,7 +216,9 @@ def test_the_problem_of_an_output_is_read_whole(dressed, make_window, wait_for):
     assert page.rows[names[0]].state.text() == translated(
         playing_on(window)[names[0]].problem
     )
-    wait_for(lambda: not list(faces.cut_off(page)))  # once its rows have their places
+    wait_for(
+        lambda: not list(face_checks.cut_off(page))
+    )  # once its rows have their places
 
 
 @pytest.mark.realtime

@@ -3,7 +3,7 @@
 import json
 import re
 
-import faces
+import face_checks
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QRect
@@ -75,7 +75,7 @@ def test_all_of_each_scale_is_on_its_page(lay_out, language, room):
     for name in scale_names():
         page = lay_out(json.loads(worded), name, language, room)
         body = page.body.rect()
-        assert list(faces.cut_off(page)) == []
+        assert list(face_checks.cut_off(page)) == []
         assert page.body.width() <= page.viewport().width()
         assert all(body.contains(inside(page, one)) for one in [*page.rows, page.next])
 

@@ -3,6 +3,7 @@
 import importlib
 import pkgutil
 
+import face_checks
 import faces
 import hearing
 from PySide6.QtWidgets import QDialog
@@ -23,7 +24,7 @@ def test_each_control_has_a_name_of_its_own_in_reading_order(
         face.activateWindow()
         qtbot.waitUntil(face.isActiveWindow)
         found = list(hearing.wrong_names(face))
-        if order := hearing.wrong_order(face, faces.reached_by_tab(face)):
+        if order := hearing.wrong_order(face, face_checks.reached_by_tab(face)):
             found.append(f"order: {order}")
         if found:
             wrong[name] = found
