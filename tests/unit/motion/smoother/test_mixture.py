@@ -9,6 +9,7 @@ from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import SmootherParameters, analyse
+from hapticplayer.motion.smoother import mixture
 from hapticplayer.motion.smoother.evidence import VelocityModel, log_evidences
 from hapticplayer.motion.smoother.mixture import (
     SENSORS,
@@ -149,17 +150,34 @@ def test_short_blocks_have_nodes_as_close_at_any_rate(seconds, rate_hz, node_s):
     assert block.samples_per_node / rate_hz == pytest.approx(node_s, abs=1e-3)
 
 
-def test_on_a_straight_road_a_steady_turn_is_the_gyro(rng):
-    """It was taken for a bend, with 0.2 to 0.6 of the 4.5 deg/s."""
+ROAD_BIAS_RADPS = np.radians([1.0, -2.0, 4.5])
+
+
+@pytest.fixture
+def straight_road(rng):
+    """20 s of a car that gains speed, by a gyro that nobody calibrated."""
     time_s = np.arange(1, 2001) / 100.0
     force = 0.6 * rng.standard_normal((2000, 3)) + [0.0, 0.0, G]
     force[:, 1] += np.where(time_s < 8.0, 1.2, 0.0)
     rate = 0.003 * rng.standard_normal((2000, 3))
     rate[:, 2] += 0.005 * np.sin(time_s)  # a hand on the wheel
-    bias_radps = np.radians([1.0, -2.0, 4.5])
-    found = analyse(ImuLog(time_s, force, rate + bias_radps))
+    return ImuLog(time_s, force, rate + ROAD_BIAS_RADPS)
+
+
+def test_on_a_straight_road_a_steady_turn_is_the_gyro(straight_road):
+    """It was taken for a bend, with 0.2 to 0.6 of the 4.5 deg/s."""
+    found = analyse(straight_road)
     assert found.summary["driven"] > 0.5
-    assert found.calibration.gyro_bias_radps == pytest.approx(bias_radps, abs=0.012)
+    assert found.calibration.gyro_bias_radps == pytest.approx(
+        ROAD_BIAS_RADPS, abs=0.012
+    )
+
+
+def test_a_bias_that_nothing_was_solved_about_is_not_said(straight_road, monkeypatch):
+    monkeypatch.setattr(mixture, "MOST_AGAIN", 0)
+    found = analyse(straight_road).calibration.gyro_bias_radps
+    monkeypatch.setattr(mixture, "_with_yaw_bias", lambda *_: None)
+    assert np.array_equal(found, analyse(straight_road).calibration.gyro_bias_radps)
 
 
 def test_ten_seconds_of_a_car_are_those_of_a_vehicle():
