@@ -62,6 +62,7 @@ def test_both_versions_shake_all_motors_and_nothing_else(intiface, toy):
     assert {name for name, _ in intiface.heard} & stops
 
 
+@pytest.mark.realtime
 @pytest.mark.parametrize(
     "intiface",
     [{"gap_ms": 100}, {"gap_ms": 100, "version": 3}, {"gap_ms": 40}],
